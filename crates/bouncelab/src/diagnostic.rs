@@ -348,7 +348,7 @@ codes! {
     // What was assumed before the data.
     /// Restitution: anything from 0 to 1.
     PriorRestitution = "prior-restitution", Info, [];
-    /// Scatter of restitution: about this, likely half as much to three times as much.
+    /// Scatter of restitution: about this, likely half as much to 2.5 times as much.
     PriorScatter = "prior-scatter", Info, ["relative_sd"];
     /// Impacts slower than those detected may lose more speed than the law says.
     PriorSlowLosses = "prior-slow-losses", Info, ["exponent"];

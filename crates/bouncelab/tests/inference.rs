@@ -561,7 +561,7 @@ fn times_that_make_no_sense_are_refused() {
     );
 }
 
-/// A prior of 0.4 % is not overcome by ten impacts that scatter by 3 %.
+/// A prior of 0.6 % is not overcome by ten impacts that scatter by 3 %.
 #[test]
 fn a_rough_surface_is_noticed() {
     let scattered = |scatter: f64| {

@@ -148,7 +148,7 @@ diagnostic-assumed-air = Aire a { $temperature_k } °C, { $pressure_pa } hPa, { 
 diagnostic-assumed-gravity = Gravedad { $gravity_m_s2 }.
 
 diagnostic-prior-restitution = Restitución: uniforme de 0 a 1.
-diagnostic-prior-scatter = Dispersión de la restitución: alrededor del { $relative_sd } %, probablemente entre la mitad y el triple.
+diagnostic-prior-scatter = Dispersión de la restitución: alrededor del { $relative_sd } %, probablemente entre la mitad y 2,5 veces eso.
 diagnostic-prior-slow-losses = Impactos más lentos que los detectados: como dice la ley, o con pérdidas que además crecen al bajar la velocidad (según una potencia de alrededor de { $exponent }).
 diagnostic-prior-exact = { $input }: valor exacto.
 diagnostic-prior-unknown = { $input }: valor desconocido (un factor e en ambos sentidos).

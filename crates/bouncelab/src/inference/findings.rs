@@ -93,7 +93,7 @@ pub(super) fn diagnostics(
 pub(super) fn scattered(posterior: &SampledPosterior, scatter: f64) -> Option<Diagnostic> {
     /// The prior is right within this factor.
     const RIGHT_WITHIN: f64 = 2.0;
-    /// So many know the logarithm of their scatter to 1/6, four times as well as the prior: it takes less than a tenth off.
+    /// So many know the logarithm of their scatter to 1/6, five times as well as the prior: it takes a twentieth off.
     const ENOUGH: usize = 20;
     let assumed = posterior.priors.restitution_scatter;
     let few = posterior.observed().restitutions() < ENOUGH;

@@ -21,9 +21,9 @@ use nalgebra::{DMatrix, DVector};
 
 use super::banded::{FactorRow, next_factor};
 use super::model::{Height, Model, Point, Slot};
-use super::scatter_prior;
 use super::priors::Measured;
 use super::residual::{End, InitialFall, Noise, Residual};
+use super::scatter_prior;
 use super::tail::{FREEDOM, Tail};
 use super::timed_flights::FlightsAtStrength;
 use crate::flight::table::FlightTable;

@@ -2,12 +2,12 @@
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, StandardNormal};
 
 use super::model::{Model, Point};
 use super::priors::Priors;
 use super::sample;
 use super::smoothing::DropState;
+use super::tail;
 use crate::flight::table::MAX_STEPS;
 use crate::impact::Restitution;
 
@@ -40,7 +40,7 @@ impl Future {
     fn restitution(&mut self, law: &Restitution, speed: f64, slowest: f64, scatter: f64) -> f64 {
         let expected = law.at(speed);
         let lost_to_kept = (1.0 / expected - 1.0) * (slowest / speed).powf(self.loss_exponent);
-        let deviation: f64 = StandardNormal.sample(&mut self.rng);
+        let deviation = tail::draw(&mut self.rng);
         (scatter * deviation).exp() / (1.0 + lost_to_kept)
     }
 }

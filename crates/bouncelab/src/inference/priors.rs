@@ -56,8 +56,8 @@ pub struct Priors {
     /// The stated standard errors of the impact times, as a common factor.
     pub timing_rel_sd: f64,
     /// Typical scatter of restitution from impact to impact. 0.2 to 0.5 % is published for good surfaces, and floors have
-    /// one or more: 0.6 % lies between. That of a drop is half as much to three times as much with a probability of 68 %,
-    /// and a quarter to ten times with 95 %; see [`Self::scatter_at`].
+    /// one or more: 0.6 % lies between. That of a drop is half as much to 2.5 times as much with a probability of 68 %,
+    /// and a fifth to seven times with 95 %; see [`Self::scatter_at`].
     pub restitution_scatter: f64,
     /// Losses of speed below the slowest impact detected, on which only time and path until rest depend. Laws of contact
     /// let them shrink with the speed; what the laws leave out (adhesion, roughness, the weight during contact) takes the
