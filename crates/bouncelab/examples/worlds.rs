@@ -47,7 +47,7 @@ enum World {
     TwoSurfaces,
     /// The contact lasts twice as long as stated.
     WrongContact,
-    /// Restitution scatters by 2 % or so, five times as much as is assumed.
+    /// Restitution scatters by 2 % or so, three times as much as is assumed.
     Rough,
     /// The same, and that is stated.
     RoughStated,
