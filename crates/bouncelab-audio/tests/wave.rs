@@ -102,7 +102,7 @@ fn sizes_that_contradict_each_other_lose_no_sound() {
 /// As of a recorder that was stopped since it last wrote the sizes, and of two recordings joined.
 #[test]
 fn sound_behind_what_the_header_counts_is_mentioned() {
-    let whole = encode_wav(RATE_HZ, SampleFormat::Int16, &[&[-0.5; 24_000]]).unwrap();
+    let whole = encode_wav(RATE_HZ, SampleFormat::Int16, &[&vec![-0.5; 24_000]]).unwrap();
     let mut stale = whole.clone();
     stale[4..8].copy_from_slice(&(36 + 6_000_u32).to_le_bytes());
     stale[40..44].copy_from_slice(&6_000_u32.to_le_bytes());

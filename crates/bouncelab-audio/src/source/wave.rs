@@ -62,7 +62,7 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
             break;
         };
         let len = content.end - content.start;
-        if has_sound && is_uncounted(&name, file_len.saturating_sub(content.start), &format) {
+        if has_sound && is_uncounted(name, file_len.saturating_sub(content.start), &format) {
             header.is_unfinished = true;
             break;
         }
@@ -98,11 +98,11 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
 }
 
 /// Whether what follows the sound is sound too: a second piece, or more than a second of what is no chunk.
-fn is_uncounted(name: &[u8; 4], behind: u64, format: &[u8]) -> bool {
+fn is_uncounted(name: [u8; 4], behind: u64, format: &[u8]) -> bool {
     let second = format.get(8..12).and_then(|bytes| bytes.first_chunk());
     let second = second.map_or(0, |&bytes| u32::from_le_bytes(bytes));
     let is_name = name.iter().all(|letter| (b' '..=b'~').contains(letter));
-    name == b"data" || (!is_name && second > 0 && behind > second.into())
+    name == *b"data" || (!is_name && second > 0 && behind > second.into())
 }
 
 /// The rate that the bytes a second are those of, if the description of a sound of equal frames contradicts itself.
