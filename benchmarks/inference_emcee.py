@@ -151,7 +151,7 @@ def by_bouncelab(program, times):
     begin = time.perf_counter()
     output = subprocess.run([program, "analyze", file.name, *arguments], capture_output=True, check=True)
     seconds = time.perf_counter() - begin
-    return seconds, json.loads(output.stdout)["drops"][0]["estimate"]
+    return seconds, json.loads(output.stdout)["drops"][0]["posterior"]
 
 
 def main():
