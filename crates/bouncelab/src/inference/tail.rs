@@ -1,4 +1,4 @@
-//! The heavy-tailed density of residuals.
+//! The heavy-tailed density of residuals, and draws with these tails.
 
 use rand::{Rng, RngExt};
 use rand_distr::{Distribution, StandardNormal};
