@@ -112,7 +112,7 @@ pub enum Error {
         most_h: f64,
     },
 
-    /// A list of impact times is not one.
+    /// A list of impact times is not one, nor a sampled waveform in text.
     #[error("{name}{}: {problem}", AtLine(*line))]
     Times {
         /// The file as the caller named it.
@@ -174,11 +174,11 @@ impl Error {
         }
     }
 
-    /// The error for a line of a list of times, or of a waveform.
-    pub(crate) fn times(name: &str, line: usize, problem: TimesProblem) -> Self {
+    /// The error for a list of times or a waveform, or for one of its lines.
+    pub(crate) fn times(name: &str, line: Option<usize>, problem: TimesProblem) -> Self {
         Self::Times {
             name: name.to_owned(),
-            line: Some(line),
+            line,
             problem,
         }
     }

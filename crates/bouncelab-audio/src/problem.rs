@@ -131,7 +131,7 @@ pub enum LayoutProblem {
     },
 }
 
-/// What is wrong with a list of impact times, or with one of its lines.
+/// What is wrong with a list of impact times or a sampled waveform in text, or with one of its lines.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(tag = "code", rename_all = "kebab-case")]

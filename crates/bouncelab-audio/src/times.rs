@@ -165,11 +165,7 @@ struct List<'a> {
 
 impl List<'_> {
     fn refuse<T>(&self, line: Option<usize>, problem: TimesProblem) -> Result<T> {
-        Err(Error::Times {
-            name: self.name.to_owned(),
-            line,
-            problem,
-        })
+        Err(Error::times(self.name, line, problem))
     }
 
     fn check_len(&self, content: &[u8], most: u64) -> Result<()> {

@@ -5,6 +5,7 @@
 //! comma, numbers may have a decimal comma. A unit in the heading of the times (`ms`, `us`) holds, else they are
 //! seconds.
 
+use std::cmp::Ordering;
 use std::sync::Arc;
 
 use crate::error::{Error, Result};
@@ -48,22 +49,13 @@ impl Waveform {
         let samples = || Vec::with_capacity(table.rows);
         let mut channels: Vec<Vec<f32>> = (1..table.columns).map(|_| samples()).collect();
         for (line, row) in lines(text).skip(table.headings) {
-            let fail = |problem| Error::times(name, line, problem);
+            let fail = |problem| Error::times(name, Some(line), problem);
             times.push(table.row(row, &mut channels).map_err(fail)?);
         }
-        let rate_hz = rate(&times).map_err(
-            |Uneven {
-                 row,
-                 interval,
-                 mean,
-             }| {
-                let line = lines(text)
-                    .nth(table.headings + row)
-                    .map_or(0, |(line, _)| line);
-                let [interval_s, mean_s] = [interval, mean].map(|time| time * table.unit_s);
-                Error::times(name, line, TimesProblem::Uneven { interval_s, mean_s })
-            },
-        )? / table.unit_s;
+        let Some(rate) = rate(&times) else {
+            return Err(table.uneven(text, name, &times));
+        };
+        let rate_hz = rate / table.unit_s;
         let is_rate = (1.0..=f64::from(u32::MAX)).contains(&rate_hz);
         Ok(is_rate.then(|| Self {
             sample_rate_hz: rate_hz.round() as u32,
@@ -123,25 +115,37 @@ impl Table {
         let not_sample = |text: &str| TimesProblem::NotSample {
             text: text.to_owned(),
         };
-        let mut time = None;
-        let mut found = 0_usize;
+        let mut time = f64::NAN;
+        let mut found = 0;
         for cell in cells(row, self.separator) {
             let number = number(cell, self.separator).ok_or_else(|| not_sample(cell))?;
-            match found
-                .checked_sub(1)
-                .and_then(|channel| channels.get_mut(channel))
-            {
-                Some(channel) => channel.push(number as f32),
-                None => time = time.or(Some(number)),
+            if found == 0 {
+                time = number;
+            } else if let Some(channel) = channels.get_mut(found - 1) {
+                channel.push(number as f32);
             }
             found += 1;
         }
         let columns = self.columns;
-        match time {
-            Some(time) if found == columns => Ok(time),
-            _ if found > columns => Err(TimesProblem::MoreColumns { found, columns }),
-            _ => Err(TimesProblem::FewerColumns { found, columns }),
+        match found.cmp(&columns) {
+            Ordering::Less => Err(TimesProblem::FewerColumns { found, columns }),
+            Ordering::Equal => Ok(time),
+            Ordering::Greater => Err(TimesProblem::MoreColumns { found, columns }),
         }
+    }
+
+    /// The error for times at unequal distances, with the first line that is oddly far from the one before.
+    fn uneven(&self, text: &str, name: &str, times: &[f64]) -> Error {
+        let intervals = || times.windows(2).map(|pair| pair[1] - pair[0]);
+        let mean = intervals().sum::<f64>() / (times.len() - 1) as f64;
+        let oddness = |interval: f64| (interval - mean).abs();
+        let most = intervals().map(oddness).fold(0.0, f64::max);
+        // A time out of place makes two distances odd.
+        let first = (1..).zip(intervals()).find(|it| oddness(it.1) > 0.5 * most);
+        let (row, interval) = first.unwrap_or_default();
+        let line = lines(text).nth(self.headings + row).map(|(line, _)| line);
+        let [interval_s, mean_s] = [interval, mean].map(|time| time * self.unit_s);
+        Error::times(name, line, TimesProblem::Uneven { interval_s, mean_s })
     }
 }
 
@@ -202,40 +206,14 @@ fn unit_s(heading: &str, separator: char) -> f64 {
         .unwrap_or(1.0)
 }
 
-/// A row whose time is not where it should be: the first whose distance from the row before is odd.
-struct Uneven {
-    row: usize,
-    interval: f64,
-    mean: f64,
-}
-
-impl Uneven {
-    fn of(times: &[f64], mean: f64) -> Self {
-        let intervals = || times.windows(2).map(|pair| pair[1] - pair[0]);
-        let oddness = |interval: f64| (interval - mean).abs();
-        let most = intervals().map(oddness).fold(0.0, f64::max);
-        // A time out of place makes two distances odd.
-        let first = (1..).zip(intervals()).find(|it| oddness(it.1) > 0.5 * most);
-        let (row, interval) = first.unwrap_or_default();
-        Self {
-            row,
-            interval,
-            mean,
-        }
-    }
-}
-
 /// How many times there are in a unit, if they are at equal distances.
 ///
 /// Times may have been written with too few digits: then several rows have the same one, and the distances between
 /// others are steps of the last digit. The row in which a time changes is known to one row, so the rate is too.
-fn rate(times: &[f64]) -> std::result::Result<f64, Uneven> {
+fn rate(times: &[f64]) -> Option<f64> {
     let mut changes = (1..times.len()).filter(|&row| times[row] > times[row - 1]);
-    let (Some(first), Some(last)) = (changes.next(), changes.next_back()) else {
-        let whole = times.last().zip(times.first());
-        let whole = whole.map_or(0.0, |(last, first)| last - first);
-        return Err(Uneven::of(times, whole / times.len() as f64));
-    };
+    let first = changes.next()?;
+    let last = changes.next_back()?;
     let step = (times[last] - times[first]) / (last - first) as f64;
     let steps = || times.windows(2).map(|pair| pair[1] - pair[0]);
     let written = steps().filter(|step| *step > 0.0);
@@ -247,9 +225,5 @@ fn rate(times: &[f64]) -> std::result::Result<f64, Uneven> {
     let is_even = step > 0.0
         && steps().all(|step| (0.0..=LONGEST_INTERVAL * grid).contains(&step))
         && times.iter().enumerate().all(is_in_place);
-    if is_even {
-        Ok(1.0 / step)
-    } else {
-        Err(Uneven::of(times, step))
-    }
+    is_even.then_some(1.0 / step)
 }

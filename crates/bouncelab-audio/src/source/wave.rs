@@ -99,8 +99,7 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
 
 /// Whether what follows the sound is sound too: a second piece, or more than a second of what is no chunk.
 fn is_uncounted(name: [u8; 4], behind: u64, format: &[u8]) -> bool {
-    let second = format.get(8..12).and_then(|bytes| bytes.first_chunk());
-    let second = second.map_or(0, |&bytes| u32::from_le_bytes(bytes));
+    let second = number(format, 8).unwrap_or(0);
     let is_name = name.iter().all(|letter| (b' '..=b'~').contains(letter));
     name == *b"data" || (!is_name && second > 0 && behind > second.into())
 }
@@ -110,12 +109,16 @@ fn other_rate_hz(format: &[u8]) -> Option<f64> {
     /// PCM, floating point, and those of an extensible header.
     const EQUAL_FRAMES: [u16; 3] = [1, 3, 0xfffe];
     let word = |at: usize| Some(u16::from_le_bytes(*format.get(at..)?.first_chunk()?));
-    let number = |at: usize| Some(u32::from_le_bytes(*format.get(at..)?.first_chunk()?));
-    let (rate_hz, bytes_per_s, frame_bytes) = (number(4)?, number(8)?, word(12)?);
+    let (rate_hz, bytes_per_s, frame_bytes) = (number(format, 4)?, number(format, 8)?, word(12)?);
     // Some recorders leave zero where they do not know.
     let states = EQUAL_FRAMES.contains(&word(0)?) && bytes_per_s > 0 && frame_bytes > 0;
     let implied_hz = f64::from(bytes_per_s) / f64::from(frame_bytes);
     (states && (implied_hz - f64::from(rate_hz)).abs() >= 1.0).then_some(implied_hz)
+}
+
+/// The number of 32 bits at a place in a description of sound.
+fn number(format: &[u8], at: usize) -> Option<u32> {
+    Some(u32::from_le_bytes(*format.get(at..)?.first_chunk()?))
 }
 
 impl Mended {
