@@ -36,6 +36,8 @@ pub(super) struct Residual<const L: usize> {
     /// Variance by the scatter, for a scatter of one, and its covariance with the one before.
     pub(super) scatter: Lanes<L>,
     pub(super) scatter_before: Lanes<L>,
+    /// The law keeps this part of a change of the logarithm of the impact speed before.
+    pub(super) keeps: Lanes<L>,
     /// The impact in the middle of `timing`.
     pub(super) impact: usize,
     /// Variance of its own, such as that of a release time.
@@ -87,6 +89,20 @@ impl<const L: usize> End<L> {
             launch_per_s: slope(b, c),
             impact_per_s: slope(e, f),
             ..Self::NO_SCATTER
+        }
+    }
+
+    /// That under one point.
+    pub(super) fn in_lane(&self, lane: usize) -> End<1> {
+        let of = |lanes: Lanes<L>| Lanes([lanes.0[lane]]);
+        End {
+            log_launch: of(self.log_launch),
+            log_impact: of(self.log_impact),
+            launch_per_s: of(self.launch_per_s),
+            impact_per_s: of(self.impact_per_s),
+            launch_scatter: of(self.launch_scatter),
+            impact_scatter: of(self.impact_scatter),
+            shared_scatter: of(self.shared_scatter),
         }
     }
 
@@ -228,6 +244,7 @@ impl<const L: usize> Residual<L> {
             timing: [none, Lanes::all(1.0), none],
             scatter: Lanes::of(|lane| falls[lane].time_scatter),
             scatter_before: none,
+            keeps: none,
             impact: 0,
             own_variance: release_s.sd * release_s.sd,
         }
@@ -241,6 +258,7 @@ impl<const L: usize> Residual<L> {
             timing: self.timing.map(of),
             scatter: of(self.scatter),
             scatter_before: of(self.scatter_before),
+            keeps: of(self.keeps),
             impact: self.impact,
             own_variance: self.own_variance,
         }
@@ -263,6 +281,7 @@ impl<const L: usize> Residual<L> {
             timing: [-by_before, by_before - by_after, by_after],
             scatter: after.launch_scatter + keeps * keeps * before.impact_scatter + 1.0,
             scatter_before: -(keeps * before.shared_scatter),
+            keeps,
             impact,
             own_variance: 0.0,
         }

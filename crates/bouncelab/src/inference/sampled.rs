@@ -12,7 +12,7 @@ use super::order::order;
 use super::predict::{self, Future, Rest};
 use super::priors::{LawKind, Priors};
 use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
-use super::smoothing::DropState;
+use super::smoothing::{DropState, Smoother};
 use super::timed_flights::TimedFlights;
 use crate::ball::Ball;
 use crate::drag::DragLaw;
@@ -549,23 +549,34 @@ impl SampledPosterior {
     /// The drops that every so many of the draws say the times tell, by the points that all draws stand for; none
     /// if one of them makes no sense.
     pub(super) fn drops(&self, points: &[Point]) -> Vec<DrawnDrop> {
-        let models = self.models();
-        let drops = self.draws.iter().zip(points).step_by(THINNED);
-        let drops: Option<Vec<DrawnDrop>> = (0..)
-            .zip(drops)
-            .map(|(number, (draw, point))| {
-                let model = &models[draw.candidate];
-                let mut future = Future::new(&self.priors, number);
-                let state = model.drawn_state(point, &mut future.rng)?;
-                Some(DrawnDrop {
-                    candidate: draw.candidate,
-                    law: point.law,
-                    rest: predict::until_rest(model, point, &state, future),
-                    state,
-                })
-            })
+        let draws = self.draws.iter().zip(points).step_by(THINNED);
+        let chosen: Vec<(usize, Point)> = draws
+            .map(|(draw, point)| (draw.candidate, *point))
             .collect();
-        drops.unwrap_or_default()
+        let mut number = 0;
+        let mut drops = Vec::with_capacity(chosen.len());
+        for of_candidate in chosen.chunk_by(|(one, _), (other, _)| one == other) {
+            let candidate = of_candidate[0].0;
+            let model = self.model(&self.candidates[candidate]);
+            let points: Vec<Point> = of_candidate.iter().map(|(_, point)| *point).collect();
+            for (point, evaluation) in points.iter().zip(model.evaluate(&points)) {
+                let mut future = Future::new(&self.priors, number);
+                number += 1;
+                let drawn = evaluation.and_then(|evaluation| {
+                    Smoother::new(model.observed, point, evaluation).draw(&mut future.rng)
+                });
+                let Some(state) = drawn else {
+                    return Vec::new();
+                };
+                drops.push(DrawnDrop {
+                    candidate,
+                    law: point.law,
+                    rest: predict::until_rest(&model, point, &state, future),
+                    state,
+                });
+            }
+        }
+        drops
     }
 
     /// The restitution laws of every so many of the draws.

@@ -11,7 +11,7 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::banded::Banded;
 use super::likelihood::Evaluation;
-use super::model::{Model, Point};
+use super::model::Point;
 use super::observed::Observed;
 use super::residual::{Noise, Residual};
 
@@ -38,66 +38,60 @@ struct Deviations {
     off: Vec<[f64; 2]>,
 }
 
-/// What a residual depends on: the law keeps this part of a change of ln(impact speed) before it.
-struct Row {
-    keeps: f64,
-    /// Standard deviation of the noise that is its alone.
-    own_sd: f64,
-}
-
-impl Model<'_> {
-    /// A drop that the times may tell, if the unknowns have these values; one of many.
-    pub(super) fn drawn_state(&self, point: &Point, rng: &mut ChaCha8Rng) -> Option<DropState> {
-        let smoother = Smoother::new(self.observed, point, self.evaluate(point)?);
-        let mut deviations = smoother.draw(rng);
-        smoother.correct(&mut deviations, rng)?;
-        smoother.state(&deviations)
-    }
-}
-
-struct Smoother<'a> {
+/// What the times tell of a drop whose unknowns have given values.
+pub(super) struct Smoother<'a> {
     observed: &'a Observed,
     point: &'a Point,
     evaluation: Evaluation<'a>,
     scatter: f64,
-    rows: Vec<Row>,
+    /// Of each residual the standard deviation of the noise that is its alone.
+    own_sds: Vec<f64>,
     covariance: Banded,
 }
 
 impl<'a> Smoother<'a> {
-    fn new(observed: &'a Observed, point: &'a Point, evaluation: Evaluation<'a>) -> Self {
+    pub(super) fn new(
+        observed: &'a Observed,
+        point: &'a Point,
+        evaluation: Evaluation<'a>,
+    ) -> Self {
         let noise = Noise::new(&observed.sigma_s, &[*point]);
         let [by_time, by_scatter, by_release] = noise.covariances(&evaluation.details);
         let mut smoother = Self {
             observed,
             point,
             scatter: noise.scatter.0[0],
-            rows: Vec::new(),
+            own_sds: Vec::new(),
             covariance: Banded::sum([&by_time, &by_scatter, &by_release]),
             evaluation,
         };
-        let rows = 0..smoother.evaluation.details.residuals.len();
-        smoother.rows = rows
-            .map(|row| smoother.row(row, by_scatter.diagonal(row), by_release.diagonal(row)))
+        smoother.own_sds = smoother
+            .rows()
+            .map(|(row, residual)| {
+                let shared = smoother.shared_scatter(row, residual);
+                let own = by_scatter.diagonal(row) - smoother.scatter * shared;
+                (own.max(0.0) + by_release.diagonal(row)).sqrt()
+            })
             .collect();
         smoother
     }
 
-    /// What the residual of a row depends on, by its variances by scatter and by the release.
-    fn row(&self, row: usize, by_scatter: f64, by_release: f64) -> Row {
+    /// A drop that the times may tell; one of many.
+    pub(super) fn draw(&self, rng: &mut ChaCha8Rng) -> Option<DropState> {
+        let mut deviations = self.before_the_data(rng);
+        self.correct(&mut deviations, rng)?;
+        self.state(&deviations)
+    }
+
+    /// Variance of a residual by the scatter of the missed impacts on both sides, for a scatter of one.
+    fn shared_scatter(&self, row: usize, residual: &Residual<1>) -> f64 {
         let ends = &self.evaluation.ends;
         let after = self.end_of(row);
-        let mut shared = ends[after].gap()[0];
-        let mut keeps = 0.0;
-        if let Some(before) = after.checked_sub(1) {
-            keeps = 1.0 + self.point.law.log_slope(ends[before].log_impact.0[0].exp());
-            shared += keeps * keeps * ends[before].gap()[1];
-        }
-        let own = by_scatter - self.scatter * shared;
-        Row {
-            keeps,
-            own_sd: (own.max(0.0) + by_release).sqrt(),
-        }
+        let [launch, ..] = ends[after].gap();
+        after.checked_sub(1).map_or(launch, |before| {
+            let [_, impact, _] = ends[before].gap();
+            launch + residual.keeps.0[0].powi(2) * impact
+        })
     }
 
     /// The number of the end after the impact of a residual; that of a release has none before.
@@ -109,15 +103,13 @@ impl<'a> Smoother<'a> {
         self.point.timing * self.observed.sigma_s[impact]
     }
 
-    /// Rows with their residuals.
-    fn rows(&self) -> impl Iterator<Item = (usize, &Row, &Residual<1>)> {
-        let residuals = &self.evaluation.details.residuals;
-        let rows = self.rows.iter().zip(residuals).enumerate();
-        rows.map(|(row, (of, residual))| (row, of, residual))
+    /// The residuals, each with its row.
+    fn rows(&self) -> impl Iterator<Item = (usize, &Residual<1>)> {
+        self.evaluation.details.residuals.iter().enumerate()
     }
 
     /// Deviations as they are before the data.
-    fn draw(&self, rng: &mut ChaCha8Rng) -> Deviations {
+    fn before_the_data(&self, rng: &mut ChaCha8Rng) -> Deviations {
         let mut normal = || -> f64 { StandardNormal.sample(rng) };
         let impacts = 0..self.observed.sigma_s.len();
         let errors_s = impacts.map(|impact| self.sd_s(impact) * normal()).collect();
@@ -138,20 +130,20 @@ impl<'a> Smoother<'a> {
     /// Corrects deviations by what the residuals are beyond those that they make.
     fn correct(&self, deviations: &mut Deviations, rng: &mut ChaCha8Rng) -> Option<()> {
         let mut normal = || -> f64 { StandardNormal.sample(rng) };
-        let beyond = self.rows().map(|(row, Row { keeps, own_sd }, residual)| {
-            let mut made = own_sd * normal() - deviations.off[self.end_of(row)][0];
+        let beyond = self.rows().map(|(row, residual)| {
+            let mut made = self.own_sds[row] * normal() - deviations.off[self.end_of(row)][0];
             if let Some(before) = self.end_of(row).checked_sub(1) {
-                made += keeps * deviations.off[before][1];
+                made += residual.keeps.0[0] * deviations.off[before][1];
             }
             for (impact, by_s) in residual.by_times() {
                 made += by_s * deviations.errors_s.get(impact).copied().unwrap_or(0.0);
             }
             residual.value.0[0] - made
         });
-        let beyond = DMatrix::from_iterator(self.rows.len(), 1, beyond);
+        let beyond = DMatrix::from_iterator(self.own_sds.len(), 1, beyond);
         let pull = self.covariance.solve(beyond)?;
         let Deviations { errors_s, off } = deviations;
-        for (row, Row { keeps, .. }, residual) in self.rows() {
+        for (row, residual) in self.rows() {
             let pull = pull[row];
             for (impact, by_s) in residual.by_times() {
                 if let Some(error_s) = errors_s.get_mut(impact) {
@@ -165,7 +157,7 @@ impl<'a> Smoother<'a> {
             };
             correct(self.end_of(row), [-1.0, 0.0]);
             if let Some(before) = self.end_of(row).checked_sub(1) {
-                correct(before, [0.0, *keeps]);
+                correct(before, [0.0, residual.keeps.0[0]]);
             }
         }
         Some(())
@@ -213,6 +205,7 @@ mod tests {
     use super::*;
     use crate::impact::Impact;
     use crate::inference::likelihood::tests::{impacts, with_model};
+    use crate::inference::model::Model;
 
     /// Standard error of the times of simulated drops, s, and that of the release of the model.
     const TIME_SD_S: f64 = 1e-3;
@@ -265,7 +258,13 @@ mod tests {
             let (detected, truth) =
                 with_model(&impacts(), |model, _| simulated(model, &point, &mut rng));
             let drawn: Vec<[f64; 3]> = with_model(&detected, |model, _| {
-                let states = (0..DRAWS).map(|_| model.drawn_state(&point, &mut rng).unwrap());
+                let states = model
+                    .evaluate(&[point; DRAWS])
+                    .into_iter()
+                    .map(|evaluation| {
+                        let smoother = Smoother::new(model.observed, &point, evaluation.unwrap());
+                        smoother.draw(&mut rng).unwrap()
+                    });
                 let quantities = states.map(|state| {
                     let last = state.impact_speeds[state.impact_speeds.len() - 1];
                     [last, state.first_to_last_s, state.release_to_first_s]
