@@ -153,6 +153,10 @@ impl Sound {
     }
 
     /// Where a file lacks sound, as far as it was read; what a microphone lost has arrived as such.
+    #[cfg_attr(
+        not(any(feature = "microphone", test)),
+        expect(clippy::unnecessary_wraps, reason = "a microphone has none")
+    )]
     pub(super) fn gaps(&self) -> Option<&[Gap]> {
         match self {
             Self::File(player) => Some(player.source.gaps()),
