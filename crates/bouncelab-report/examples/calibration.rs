@@ -77,7 +77,8 @@ const SHORTEST_FLIGHT_S: f64 = 0.05;
 /// Fewer impacts make no drop for the listener.
 const FEWEST_IMPACTS: usize = 5;
 
-/// From this launch speed on, flights are a geometric series: the ball rests. A few that keep nearly all do not.
+/// From this launch speed on, and where flights are shorter than the contact, they are a geometric series: the ball rests.
+/// A few that keep nearly all do not.
 const REST_M_S: f64 = 0.01;
 const MOST_BOUNCES: usize = 100_000;
 
@@ -170,7 +171,7 @@ fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
     let loss_exponent = (known.slow_loss_exponent * normal(rng)).max(0.0);
     let bounces_s = until_rest_s(&model, slowest, contact_s, |speed| {
         let losses = (1.0 / restitution - 1.0) * (speed / slowest).powf(-loss_exponent);
-        (scatter * deviation(rng)).exp() / (1.0 + losses)
+        [1.0 / (1.0 + losses), (scatter * deviation(rng)).exp()]
     })?;
     (impacts.len() >= FEWEST_IMPACTS).then_some(Drop {
         impacts,
@@ -182,26 +183,28 @@ fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
     })
 }
 
-/// The time from an impact at this speed until the ball rests, with what each impact keeps of its speed.
+/// The time from an impact at this speed until the ball rests, with what each impact is expected to keep of its speed, and
+/// by which factor it keeps more.
 fn until_rest_s(
     model: &FlightModel,
     mut speed: f64,
     contact_s: f64,
-    mut kept: impl FnMut(f64) -> f64,
+    mut kept: impl FnMut(f64) -> [f64; 2],
 ) -> Option<f64> {
+    let resting = REST_M_S.max(0.5 * model.gravity_m_s2() * contact_s);
     let mut time_s = 0.0;
     for _ in 0..MOST_BOUNCES {
-        let kept = kept(speed);
-        let flight = model.launch(speed * kept).ok()?;
+        let [expected, factor] = kept(speed);
+        let launch = speed * expected * factor;
+        let flight = model.launch(launch).ok()?;
         time_s += contact_s;
-        if speed * kept < REST_M_S {
-            time_s += flight.time_s() / (1.0 - kept);
-            break;
+        if launch < resting {
+            return Some(time_s + flight.time_s() / (1.0 - expected));
         }
         time_s += flight.time_s();
         speed = flight.impact_speed_m_s;
     }
-    Some(time_s)
+    Some(f64::INFINITY)
 }
 
 /// The tails of the inference: Student's t of 6 degrees, with variance one.

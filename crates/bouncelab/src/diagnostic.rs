@@ -277,7 +277,7 @@ codes! {
     NoLawWins = "no-law-wins", Info, [];
     /// Another ball explains the times much better than the one that was stated or assumed.
     OtherBallFitsBetter = "other-ball-fits-better", Warning, ["balls", "odds"];
-    /// With so little loss the ball does not come to rest.
+    /// With so little loss the ball may not come to rest.
     NeverRests = "never-rests", Info, [];
     /// No inference was asked for.
     InferenceOff = "inference-off", Info, [];

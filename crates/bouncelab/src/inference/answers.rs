@@ -13,6 +13,10 @@ use crate::error::Result;
 use crate::estimate::Estimate;
 use crate::flight::{Environment, FlightModel};
 
+/// Draws that do not come to rest are the longest. Where more than the rest of this share do not, the others would say
+/// too short a time until rest.
+const MOSTLY: f64 = 0.99;
+
 /// The drag of the ball.
 struct Drag {
     coefficient: Estimate,
@@ -69,7 +73,7 @@ impl Answers {
         let prior_contraction = identify::prior_contraction(&posterior);
         let drops = posterior.drops(&self.points);
         let rest: Vec<Rest> = drops.iter().filter_map(|drop| drop.rest).collect();
-        let rests = rest.len() * 2 > drops.len();
+        let rests = rest.len() as f64 >= MOSTLY * drops.len() as f64 && !rest.is_empty();
         let rest = if rests { rest } else { Vec::new() };
         let drag_coefficient = self.drag_coefficients(&posterior);
         let drag = self.drag(&posterior, &drag_coefficient);

@@ -141,7 +141,7 @@ pub struct Draws {
     pub drag_coefficient: Vec<f64>,
     /// Drop height, m.
     pub drop_height_m: Vec<f64>,
-    /// Time from release to rest, s, of every second draw; empty if most do not come to rest.
+    /// Time from release to rest, s, of every second draw; empty if some do not come to rest.
     pub total_time_s: Vec<f64>,
 }
 

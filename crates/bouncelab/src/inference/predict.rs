@@ -36,12 +36,10 @@ impl Future {
         }
     }
 
-    /// What an impact keeps of the speed, slower than the slowest one detected.
-    fn restitution(&mut self, law: &Restitution, speed: f64, slowest: f64, scatter: f64) -> f64 {
-        let expected = law.at(speed);
-        let lost_to_kept = (1.0 / expected - 1.0) * (slowest / speed).powf(self.loss_exponent);
-        let deviation = tail::draw(&mut self.rng);
-        (scatter * deviation).exp() / (1.0 + lost_to_kept)
+    /// What one expects an impact to keep of the speed, slower than the slowest one detected.
+    fn expected_restitution(&self, law: &Restitution, speed: f64, slowest: f64) -> f64 {
+        let lost_to_kept = (1.0 / law.at(speed) - 1.0) * (slowest / speed).powf(self.loss_exponent);
+        1.0 / (1.0 + lost_to_kept)
     }
 }
 
@@ -89,11 +87,13 @@ pub(super) fn until_rest(
     let slowest = state.impact_speeds[state.impact_speeds.len() - 1];
     let mut impact = slowest;
     for _ in 0..MOST_BOUNCES {
-        let kept = future.restitution(&point.law, impact, slowest, point.scatter);
-        let launch = impact * kept;
+        let expected = future.expected_restitution(&point.law, impact, slowest);
+        let deviation = tail::draw(&mut future.rng);
+        let launch = impact * expected * (point.scatter * deviation).exp();
         rest.time_s += point.contact_time_s;
         if launch < resting {
-            let last = last_bounces(launch, kept, gravity);
+            // That of a single impact may be above one, and many follow.
+            let last = last_bounces(launch, expected, gravity);
             rest.time_s += last.time_s;
             rest.path_m += last.path_m;
             return rest.time_s.is_finite().then_some(rest);
