@@ -3,9 +3,15 @@
 
 use std::path::{Path, PathBuf};
 
+use bouncelab::ball;
+use bouncelab::drag::DragLaw;
+use bouncelab::inference::LawKind;
+use bouncelab::synth::Voice;
 use bouncelab_report::file::create_folder;
 use bouncelab_report::mark::MANUAL;
-use clap::{Args, Command, CommandFactory};
+use bouncelab_report::{messages, rules};
+use clap::builder::PossibleValuesParser;
+use clap::{Arg, Args, Command, CommandFactory};
 use clap_complete::Shell;
 use clap_mangen::Man;
 
@@ -39,11 +45,41 @@ pub(crate) struct ManualArguments {
 }
 
 pub(crate) fn completions(arguments: &CompletionArguments) -> Result<(), Failure> {
-    let mut command = Cli::command();
+    let mut command = with_names(Cli::command());
     let name = command.get_name().to_owned();
     let mut script = Vec::new();
     clap_complete::generate(arguments.shell, &mut command, name, &mut script);
     print_data(String::from_utf8_lossy(&script))
+}
+
+/// The command, and those of its own, with the names that their arguments know, which a shell then offers. A value that
+/// is not a name, as steel:10mm, can be typed all the same: completions check nothing.
+fn with_names(command: Command) -> Command {
+    command.mut_args(with_names_of).mut_subcommands(with_names)
+}
+
+fn with_names_of(argument: Arg) -> Arg {
+    let names: Vec<String> = match argument.get_id().as_str() {
+        "ball" => texts(ball::presets().iter().map(|preset| preset.name)),
+        "drag" => texts(
+            ["none"]
+                .into_iter()
+                .chain(DragLaw::NAMED.iter().map(DragLaw::name)),
+        ),
+        "law" => texts(LawKind::ALL.iter().map(|law| law.name())),
+        "rule" => {
+            let rules = rules::built_in().unwrap_or_default();
+            texts(rules.iter().map(|rule| rule.name.as_str()))
+        }
+        "voice" => texts(Voice::NAMES),
+        "language" => texts(messages::languages()),
+        _ => return argument,
+    };
+    argument.value_parser(PossibleValuesParser::new(names))
+}
+
+fn texts<'a>(names: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    names.into_iter().map(str::to_owned).collect()
 }
 
 pub(crate) fn manual(arguments: &ManualArguments) -> Result<(), Failure> {

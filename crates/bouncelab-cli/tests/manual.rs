@@ -17,6 +17,29 @@ fn every_shell_gets_completions() {
     }
 }
 
+/// Bash offers the names that an argument knows, of balls, drag laws, restitution laws and rules.
+#[test]
+fn completions_offer_names() {
+    let offered = [
+        ("analyze", "--ball", "ten", "tennis"),
+        ("analyze", "--drag", "morr", "morrison"),
+        ("analyze", "--law", "visc", "viscoelastic"),
+        ("simulate", "--drag", "clift", "clift-grace-weber"),
+        ("verdict", "--rule", "ittf-b", "ittf-ball"),
+        ("synth", "--voice", "bask", "basketball"),
+    ];
+    let printed = bouncelab().args(["completions", "bash"]).assert();
+    let script = String::from_utf8(printed.get_output().stdout.clone()).unwrap();
+    for (command, option, begun, name) in offered {
+        let question = format!(
+            "{script}\nCOMP_WORDS=(bouncelab {command} {option} {begun}); COMP_CWORD=3\n\
+             _bouncelab bouncelab {begun} {option}; echo \"${{COMPREPLY[*]}}\""
+        );
+        let answer = Command::new("bash").args(["-c", &question]).assert();
+        answer.success().stdout(contains(name));
+    }
+}
+
 /// A page for every command, which is written again over itself and over nothing else.
 #[test]
 fn every_command_has_a_page() {

@@ -333,11 +333,12 @@ impl Error {
         }
     }
 
-    /// An [`Error::UnknownName`] that offers the known name most like `name`.
+    /// An [`Error::UnknownName`] that offers the known name most like `name`, the first of those that are alike.
     pub fn unknown_name(kind: &'static str, name: &str, known: &[&str]) -> Self {
         let likeness = |candidate: &&&str| strsim::jaro_winkler(name, candidate);
         let nearest = known
             .iter()
+            .rev()
             .max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
         Self::UnknownName {
             kind,
