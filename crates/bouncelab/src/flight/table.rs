@@ -186,6 +186,48 @@ const FREE_FALL: usize = 2;
 /// g times the fall time.
 const FALL: usize = 3;
 
+/// The same between the strengths of four marches, one after the other.
+type BlendedNode = [f64; 8];
+
+/// Every flight of a ball under one drag, for those who ask for many flights near each other: each node is blended once.
+#[derive(Debug)]
+pub(crate) struct BlendedTable<'a> {
+    table: FlightTable<'a>,
+    nodes: Vec<Option<BlendedNode>>,
+}
+
+impl BlendedTable<'_> {
+    /// As that of [`FlightTable`].
+    #[inline]
+    pub(crate) fn rise_and_fall(&mut self, speed: f64) -> Option<RiseAndFall> {
+        let (node, t) = self.table.around(speed)?;
+        if self.nodes.len() < node + 2 {
+            self.nodes.resize(node + 2, None);
+        }
+        let ends = [node, node + 1]
+            .map(|node| *self.nodes[node].get_or_insert_with(|| self.table.blended(node)));
+        Some(RiseAndFall::between(&ends, t, self.table.step, speed))
+    }
+}
+
+impl RiseAndFall {
+    /// At a share t of the step between two nodes.
+    #[inline]
+    fn between([low, high]: &[BlendedNode; 2], t: f64, step: f64, speed: f64) -> Self {
+        let of = |value: usize| {
+            let pair = |node: &BlendedNode| [node[2 * value], node[2 * value + 1]];
+            hermite(pair(low), pair(high), t, step)
+        };
+        let ([free_fall, slope], [fall_time, _]) = (of(FREE_FALL), of(FALL));
+        Self {
+            row: Row::of_launch(speed, [of(IMPACT), of(TIME)]),
+            gravity_height: 0.5 * free_fall * free_fall,
+            height_slope: 2.0 * slope * speed / free_fall,
+            fall_time,
+        }
+    }
+}
+
 /// Values and slopes by g T at a node.
 #[derive(Debug, Clone, Copy)]
 struct TimeNode {
@@ -320,7 +362,15 @@ fn march_by_time(profile: &DragProfile, strength: f64) -> Vec<TimeNode> {
 /// Steps of the march over time, in steps of the march over speed.
 const TIME_STEP: f64 = 2.0;
 
-impl FlightTable<'_> {
+impl<'a> FlightTable<'a> {
+    /// The same for those who ask for many flights near each other.
+    pub(crate) fn for_many(self) -> BlendedTable<'a> {
+        BlendedTable {
+            table: self,
+            nodes: Vec::new(),
+        }
+    }
+
     /// The flight with a launch speed; `None` beyond the table.
     #[inline]
     pub(crate) fn launch(&self, speed: f64) -> Option<Row> {
@@ -333,24 +383,18 @@ impl FlightTable<'_> {
     #[inline]
     pub(crate) fn rise_and_fall(&self, speed: f64) -> Option<RiseAndFall> {
         let (node, t) = self.around(speed)?;
-        let [low, high] = [node, node + 1].map(|node| {
-            let [a, b, c, d] = self
-                .marches
-                .map(|march| march.by_speed[node].as_flattened());
-            let [wa, wb, wc, wd] = self.weights;
-            array::from_fn::<f64, 8, _>(|i| wa * a[i] + wb * b[i] + wc * c[i] + wd * d[i])
-        });
-        let of = |value: usize| {
-            let pair = |node: &[f64; 8]| [node[2 * value], node[2 * value + 1]];
-            hermite(pair(&low), pair(&high), t, self.step)
-        };
-        let ([free_fall, slope], [fall_time, _]) = (of(FREE_FALL), of(FALL));
-        Some(RiseAndFall {
-            row: Row::of_launch(speed, [of(IMPACT), of(TIME)]),
-            gravity_height: 0.5 * free_fall * free_fall,
-            height_slope: 2.0 * slope * speed / free_fall,
-            fall_time,
-        })
+        let ends = [node, node + 1].map(|node| self.blended(node));
+        Some(RiseAndFall::between(&ends, t, self.step, speed))
+    }
+
+    /// All values at a node.
+    #[inline]
+    fn blended(&self, node: usize) -> BlendedNode {
+        let [a, b, c, d] = self
+            .marches
+            .map(|march| march.by_speed[node].as_flattened());
+        let [wa, wb, wc, wd] = self.weights;
+        array::from_fn(|i| wa * a[i] + wb * b[i] + wc * c[i] + wd * d[i])
     }
 
     /// The flight that lasts a time; takes gravity times the time, m/s.

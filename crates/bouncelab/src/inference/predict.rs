@@ -9,7 +9,8 @@ use super::sample;
 use super::smoothing::DropState;
 use super::tail;
 use crate::flight::table::MAX_STEPS;
-use crate::impact::Restitution;
+use crate::impact::Restitutions;
+use crate::simd::Lanes;
 
 /// A drop that has not come to rest after so many bounces never will: from a height of a metre it would keep 99.75 % of
 /// its speed each time.
@@ -36,10 +37,15 @@ impl Future {
         }
     }
 
-    /// What one expects an impact to keep of the speed, slower than the slowest one detected.
-    fn expected_restitution(&self, law: &Restitution, speed: f64, slowest: f64) -> f64 {
-        let lost_to_kept = (1.0 / law.at(speed) - 1.0) * (slowest / speed).powf(self.loss_exponent);
-        1.0 / (1.0 + lost_to_kept)
+    /// What one expects an impact to keep of the speed, slower than the slowest one detected, by the logarithms of both
+    /// speeds; its logarithm too.
+    fn ln_expected(&self, laws: &Restitutions<1>, ln_speed: f64, ln_slowest: f64) -> f64 {
+        let (Lanes([ln_e]), _) = laws.ln_at_with_log_slope(Lanes([ln_speed]));
+        if self.loss_exponent == 0.0 {
+            return ln_e;
+        }
+        let more = (self.loss_exponent * (ln_slowest - ln_speed)).exp();
+        -((-ln_e).exp_m1() * more).ln_1p()
     }
 }
 
@@ -84,16 +90,18 @@ pub(super) fn until_rest(
         }
     }
     let resting = (0.5 * gravity * point.contact_time_s).max(REST_M_S);
-    let slowest = state.impact_speeds[state.impact_speeds.len() - 1];
-    let mut impact = slowest;
+    let laws = Restitutions::of(&[point.law]);
+    let mut table = table.for_many();
+    let ln_slowest = state.impact_speeds[state.impact_speeds.len() - 1].ln();
+    let mut ln_impact = ln_slowest;
     for _ in 0..MOST_BOUNCES {
-        let expected = future.expected_restitution(&point.law, impact, slowest);
+        let ln_expected = future.ln_expected(&laws, ln_impact, ln_slowest);
         let deviation = tail::draw(&mut future.rng);
-        let launch = impact * expected * (point.scatter * deviation).exp();
+        let launch = (ln_impact + ln_expected + point.scatter * deviation).exp();
         rest.time_s += point.contact_time_s;
         if launch < resting {
-            // That of a single impact may be above one, and many follow.
-            let last = last_bounces(launch, expected, gravity);
+            // What a single impact keeps may be more than all, and many follow.
+            let last = last_bounces(launch, ln_expected.exp(), gravity);
             rest.time_s += last.time_s;
             rest.path_m += last.path_m;
             return rest.time_s.is_finite().then_some(rest);
@@ -101,7 +109,7 @@ pub(super) fn until_rest(
         let flight = table.rise_and_fall(launch)?;
         rest.time_s += flight.row.time / gravity;
         rest.path_m += 2.0 * flight.gravity_height / gravity;
-        impact = flight.row.impact;
+        ln_impact = flight.row.impact.ln();
     }
     None
 }
