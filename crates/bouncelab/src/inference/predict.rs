@@ -1,5 +1,8 @@
 //! Predictions: the rest of the drop, and other drops of the same ball.
 
+use std::array;
+use std::ops::ControlFlow;
+
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
@@ -8,9 +11,9 @@ use super::priors::Priors;
 use super::sample;
 use super::smoothing::DropState;
 use super::tail;
-use crate::flight::table::MAX_STEPS;
+use crate::flight::table::{BlendedTable, MAX_STEPS};
 use crate::impact::Restitutions;
-use crate::simd::Lanes;
+use crate::simd::{LANES, Lanes, dispatch};
 
 /// A drop that has not come to rest after so many bounces never will: from a height of a metre it would keep 99.75 % of
 /// its speed each time.
@@ -36,17 +39,6 @@ impl Future {
             rng: ChaCha8Rng::seed_from_u64(number.into()),
         }
     }
-
-    /// What one expects an impact to keep of the speed, slower than the slowest one detected, by the logarithms of both
-    /// speeds; its logarithm too.
-    fn ln_expected(&self, laws: &Restitutions<1>, ln_speed: f64, ln_slowest: f64) -> f64 {
-        let (Lanes([ln_e]), _) = laws.ln_at_with_log_slope(Lanes([ln_speed]));
-        if self.loss_exponent == 0.0 {
-            return ln_e;
-        }
-        let more = (self.loss_exponent * (ln_slowest - ln_speed)).exp();
-        -((-ln_e).exp_m1() * more).ln_1p()
-    }
 }
 
 /// Time and path from release to rest.
@@ -56,62 +48,148 @@ pub(super) struct Rest {
     pub(super) path_m: f64,
 }
 
-/// The drop to its end: as detected, and after the last impact as a future has it.
+/// A drop after its last impact detected, on the way to rest.
+struct Bouncing<'a> {
+    /// Its place among the others.
+    number: usize,
+    point: Point,
+    table: BlendedTable<'a>,
+    future: Future,
+    /// Speed at the slowest impact detected, and at the one that comes, m/s.
+    slowest: f64,
+    impact: f64,
+    bounces: usize,
+    /// So far.
+    rest: Rest,
+}
+
+/// The drops to their end: as detected, and after the last impact as their futures have it. `None` for one that does not
+/// come to rest.
 ///
-/// `None` if it does not come to rest.
-pub(super) fn until_rest(
+/// As many go on side by side as there are lanes; where one has come to rest, the next begins.
+pub(super) fn until_rest<'s>(
     model: &Model,
-    point: &Point,
-    state: &DropState,
-    mut future: Future,
-) -> Option<Rest> {
-    let observed = model.observed;
-    let missed_first = model.missed_first;
-    let gravity = point.gravity_m_s2;
-    let table = model.table(point)?;
-    let mut rest = Rest {
-        time_s: state.release_to_first_s + state.first_to_last_s,
-        path_m: state.drop_height_m,
-    };
-    // The flights before the first impact detected obey the law too.
-    let mut impact = table.launch(point.fall_launch_m_s)?.impact;
-    for _ in 0..missed_first {
-        let launch = impact * point.law.at(impact);
-        rest.path_m += 2.0 * table.apex(launch)?.0 / gravity;
-        impact = table.launch(launch)?.impact;
-    }
-    rest.path_m += 2.0 * state.apexes_m.iter().sum::<f64>();
-    for (launch, interval) in state.launch_speeds.iter().zip(&observed.intervals) {
-        let mut launch = *launch;
-        for _ in 1..interval.flights {
-            let impact = table.launch(launch)?.impact;
-            launch = impact * point.law.at(impact);
-            rest.path_m += 2.0 * table.apex(launch)?.0 / gravity;
+    drops: impl IntoIterator<Item = (Point, &'s DropState, Future)>,
+) -> Vec<Option<Rest>> {
+    let mut found = Vec::new();
+    let mut waiting = drops.into_iter();
+    let mut lanes: [Option<Bouncing>; LANES] = array::from_fn(|_| None);
+    let mut laws: Option<Restitutions<LANES>> = None;
+    loop {
+        for lane in lanes.iter_mut().filter(|lane| lane.is_none()) {
+            for (point, state, future) in waiting.by_ref() {
+                let number = found.len();
+                found.push(None);
+                *lane = Bouncing::new(model, point, state, future, number);
+                if lane.is_some() {
+                    laws = None;
+                    break;
+                }
+            }
+        }
+        let Some(any) = lanes.iter().flatten().next() else {
+            return found;
+        };
+        let laws = *laws.get_or_insert_with(|| {
+            let law = |lane: &Option<Bouncing>| lane.as_ref().unwrap_or(any).point.law;
+            Restitutions::of(&array::from_fn(|lane| law(&lanes[lane])))
+        });
+        let random = lanes.each_mut();
+        let deviations = tail::draw(random.map(|lane| Some(&mut lane.as_mut()?.future.rng)));
+        let of = |number: fn(&Bouncing) -> f64| {
+            Lanes::of(|lane| lanes[lane].as_ref().map_or(0.0, number))
+        };
+        let [impact, slowest] = [of(|it| it.impact), of(|it| it.slowest)];
+        let [scatter, exponent] = [of(|it| it.point.scatter), of(|it| it.future.loss_exponent)];
+        let (expected, launch) = dispatch(
+            #[inline(always)]
+            || {
+                let ln_impact = impact.ln();
+                let (ln_e, _) = laws.ln_at_with_log_slope(ln_impact);
+                let slower = ((slowest.ln() - ln_impact) * exponent).exp();
+                let lost_to_kept = ((-ln_e).exp() - 1.0) * slower;
+                let expected = Lanes::all(1.0) / (lost_to_kept + 1.0);
+                (expected, impact * expected * (scatter * deviations).exp())
+            },
+        );
+        for (place, lane) in lanes.iter_mut().enumerate() {
+            let Some(drop) = lane else { continue };
+            let after = drop.after_impact(launch.0[place], expected.0[place]);
+            if let ControlFlow::Break(rest) = after {
+                found[drop.number] = rest;
+                *lane = None;
+            }
         }
     }
-    let resting = (0.5 * gravity * point.contact_time_s).max(REST_M_S);
-    let laws = Restitutions::of(&[point.law]);
-    let mut table = table.for_many();
-    let ln_slowest = state.impact_speeds[state.impact_speeds.len() - 1].ln();
-    let mut ln_impact = ln_slowest;
-    for _ in 0..MOST_BOUNCES {
-        let ln_expected = future.ln_expected(&laws, ln_impact, ln_slowest);
-        let deviation = tail::draw(&mut future.rng);
-        let launch = (ln_impact + ln_expected + point.scatter * deviation).exp();
-        rest.time_s += point.contact_time_s;
-        if launch < resting {
+}
+
+impl<'a> Bouncing<'a> {
+    /// A drop at its last impact detected; `None` if it makes no sense.
+    fn new(
+        model: &Model<'a>,
+        point: Point,
+        state: &DropState,
+        future: Future,
+        number: usize,
+    ) -> Option<Self> {
+        let table = model.table(&point)?;
+        let gravity = point.gravity_m_s2;
+        let mut path_m = state.drop_height_m;
+        // The flights before the first impact detected obey the law too.
+        let mut impact = table.launch(point.fall_launch_m_s)?.impact;
+        for _ in 0..model.missed_first {
+            let launch = impact * point.law.at(impact);
+            path_m += 2.0 * table.apex(launch)?.0 / gravity;
+            impact = table.launch(launch)?.impact;
+        }
+        path_m += 2.0 * state.apexes_m.iter().sum::<f64>();
+        for (launch, interval) in state.launch_speeds.iter().zip(&model.observed.intervals) {
+            let mut launch = *launch;
+            for _ in 1..interval.flights {
+                let impact = table.launch(launch)?.impact;
+                launch = impact * point.law.at(impact);
+                path_m += 2.0 * table.apex(launch)?.0 / gravity;
+            }
+        }
+        let slowest = *state.impact_speeds.last()?;
+        Some(Self {
+            number,
+            point,
+            table: table.for_many(),
+            future,
+            slowest,
+            impact: slowest,
+            bounces: 0,
+            rest: Rest {
+                time_s: state.release_to_first_s + state.first_to_last_s,
+                path_m,
+            },
+        })
+    }
+
+    /// Goes on from the launch after an impact, which was expected to keep so much of the speed; its end if that is the
+    /// last, without a result if it does not come to rest.
+    fn after_impact(&mut self, launch: f64, expected: f64) -> ControlFlow<Option<Rest>> {
+        let gravity = self.point.gravity_m_s2;
+        self.rest.time_s += self.point.contact_time_s;
+        if launch < (0.5 * gravity * self.point.contact_time_s).max(REST_M_S) {
             // What a single impact keeps may be more than all, and many follow.
-            let last = last_bounces(launch, ln_expected.exp(), gravity);
-            rest.time_s += last.time_s;
-            rest.path_m += last.path_m;
-            return rest.time_s.is_finite().then_some(rest);
+            let last = last_bounces(launch, expected, gravity);
+            self.rest.time_s += last.time_s;
+            self.rest.path_m += last.path_m;
+            let rest = self.rest.time_s.is_finite().then_some(self.rest);
+            return ControlFlow::Break(rest);
         }
-        let flight = table.rise_and_fall(launch)?;
-        rest.time_s += flight.row.time / gravity;
-        rest.path_m += 2.0 * flight.gravity_height / gravity;
-        ln_impact = flight.row.impact.ln();
+        self.bounces += 1;
+        let flight = self.table.rise_and_fall(launch);
+        let Some(flight) = flight.filter(|_| self.bounces < MOST_BOUNCES) else {
+            return ControlFlow::Break(None);
+        };
+        self.rest.time_s += flight.row.time / gravity;
+        self.rest.path_m += 2.0 * flight.gravity_height / gravity;
+        self.impact = flight.row.impact;
+        ControlFlow::Continue(())
     }
-    None
 }
 
 /// The flights from a launch until rest, all without air and with the same restitution: geometric

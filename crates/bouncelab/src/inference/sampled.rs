@@ -559,6 +559,8 @@ impl SampledPosterior {
             let candidate = of_candidate[0].0;
             let model = self.model(&self.candidates[candidate]);
             let points: Vec<Point> = of_candidate.iter().map(|(_, point)| *point).collect();
+            let mut states = Vec::with_capacity(points.len());
+            let mut futures = Vec::with_capacity(points.len());
             for (point, evaluation) in points.iter().zip(model.evaluate(&points)) {
                 let mut future = Future::new(&self.priors, number);
                 number += 1;
@@ -568,13 +570,19 @@ impl SampledPosterior {
                 let Some(state) = drawn else {
                     return Vec::new();
                 };
-                drops.push(DrawnDrop {
-                    candidate,
-                    law: point.law,
-                    rest: predict::until_rest(&model, point, &state, future),
-                    state,
-                });
+                states.push(state);
+                futures.push(future);
             }
+            let on_the_way = points.iter().zip(&states).zip(futures);
+            let on_the_way = on_the_way.map(|((point, state), future)| (*point, state, future));
+            let rests = predict::until_rest(&model, on_the_way);
+            let drawn = points.iter().zip(states).zip(rests);
+            drops.extend(drawn.map(|((point, state), rest)| DrawnDrop {
+                candidate,
+                law: point.law,
+                state,
+                rest,
+            }));
         }
         drops
     }

@@ -11,11 +11,17 @@ pub(super) const FREEDOM: f64 = 2.0 * EXPONENTIALS as f64;
 /// A chi-squared of so many degrees is a sum of half as many exponentials.
 const EXPONENTIALS: usize = 3;
 
-/// A deviation of restitution, in units of the scatter.
-pub(super) fn draw(rng: &mut impl Rng) -> f64 {
-    let normal: f64 = StandardNormal.sample(rng);
-    let product: f64 = (0..EXPONENTIALS).map(|_| rng.random::<f64>()).product();
-    normal * ((FREEDOM - 2.0) / (-2.0 * product.ln())).sqrt()
+/// Deviations of restitution, in units of the scatter, each from the random numbers of its lane, if it has any.
+pub(super) fn draw<const L: usize>(random: [Option<&mut impl Rng>; L]) -> Lanes<L> {
+    let [mut normals, mut products] = [Lanes::all(0.0), Lanes::all(0.5)];
+    for (lane, rng) in random.into_iter().enumerate() {
+        if let Some(rng) = rng {
+            normals.0[lane] = StandardNormal.sample(rng);
+            products.0[lane] = (0..EXPONENTIALS).map(|_| rng.random::<f64>()).product();
+        }
+    }
+    let chi_squared = products.ln() * -2.0;
+    normals * (Lanes::all(FREEDOM - 2.0) / chi_squared).sqrt()
 }
 
 /// Student's t with variance one, of an innovation that is scatter only in part.
@@ -94,7 +100,7 @@ mod tests {
     #[test]
     fn draws_have_these_tails() {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
-        let draws: Vec<f64> = (0..40_000).map(|_| draw(&mut rng)).collect();
+        let draws: Vec<f64> = (0..40_000).map(|_| draw([Some(&mut rng)]).0[0]).collect();
         for (quantile, share) in [(1.440, 0.2), (2.447, 0.05)] {
             let limit = quantile * ((FREEDOM - 2.0) / FREEDOM).sqrt();
             let beyond = draws.iter().filter(|draw| draw.abs() > limit).count();
