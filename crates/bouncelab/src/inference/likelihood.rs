@@ -53,7 +53,7 @@ pub(super) struct Innovation {
 }
 
 /// What each residual adds to a likelihood, in order.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Details {
     pub(super) residuals: Vec<Residual<1>>,
     pub(super) innovations: Vec<Innovation>,
@@ -79,7 +79,7 @@ pub(super) struct Differences {
     posterior: DVector<f64>,
 }
 
-/// Is told, of each trial by its number, each step by its row, in this lane.
+/// Is told, of each vector by its column, each step by its row, in this lane.
 type Observer<'o> = &'o mut dyn FnMut(usize, usize, &Step<LANES>, usize);
 
 /// A row of the Cholesky factors L D L' of the covariance of the residuals.
@@ -94,8 +94,6 @@ struct Factor {
 /// One step of the likelihood: a residual with what it adds.
 struct Step<'r, const L: usize> {
     residual: &'r Residual<L>,
-    /// The interval after the impact; of a release, the fall.
-    end: &'r End<L>,
     factor: FactorRow<Lanes<L>>,
     scatter_share: Lanes<L>,
     tail: Tail<L>,
@@ -173,99 +171,66 @@ impl<'a> Model<'a> {
         vectors: &DMatrix<f64>,
         mut observer: Option<Observer>,
     ) -> Vec<Option<f64>> {
-        let mut logs = Vec::with_capacity(vectors.ncols());
-        let columns: Vec<&[f64]> = vectors.as_slice().chunks_exact(vectors.nrows()).collect();
-        for group in columns.chunks(LANES) {
-            let trials: Vec<Option<Trial>> = group.iter().map(|it| self.trial(it)).collect();
-            let first = logs.len();
-            logs.extend(match &mut observer {
-                Some(observer) => {
-                    self.log_posteriors_of_group(&trials, &mut |place, row, step, lane| {
-                        observer(first + place, row, step, lane);
-                    })
-                }
-                None => self.log_posteriors_of_group(&trials, &mut |_, _, _, _| ()),
-            });
-        }
-        logs
-    }
-
-    /// The log posterior of each of as many trials as there are lanes, or fewer.
-    fn log_posteriors_of_group(
-        &self,
-        trials: &[Option<Trial>],
-        observer: Observer,
-    ) -> Vec<Option<f64>> {
-        let mut logs = vec![None; trials.len()];
-        let sound = trials.iter().enumerate();
-        let sound: Vec<(usize, &Trial)> = sound
-            .filter_map(|(place, it)| Some((place, it.as_ref()?)))
-            .collect();
-        let Some(last) = sound.len().checked_sub(1) else {
-            return logs;
-        };
-        // The lanes that are left over do the work of the last trial again.
-        let lanes = std::array::from_fn::<_, LANES, _>(|lane| sound[lane.min(last)].1);
-        let mut row = 0;
-        let found = self.log_posteriors_of(lanes, &mut |step| {
-            for (lane, (place, _)) in sound.iter().enumerate() {
-                observer(*place, row, step, lane);
+        let columns = vectors.as_slice().chunks_exact(vectors.nrows());
+        let mut trials = columns.map(|vector| self.trial(vector)).enumerate();
+        let mut logs = vec![None; vectors.ncols()];
+        loop {
+            let group: Vec<_> = trials.by_ref().take(LANES).collect();
+            if group.is_empty() {
+                return logs;
             }
-            row += 1;
-        });
-        for ((place, _), log) in sound.iter().zip(found) {
-            logs[*place] = log;
+            let sound = group.iter();
+            let sound: Vec<(usize, &Trial)> = sound
+                .filter_map(|(place, it)| Some((*place, it.as_ref()?)))
+                .collect();
+            let Some(last) = sound.len().checked_sub(1) else {
+                continue;
+            };
+            // The lanes that are left over do the work of the last vector again.
+            let lanes = std::array::from_fn::<_, LANES, _>(|lane| sound[lane.min(last)].1);
+            let mut row = 0;
+            let found = self.log_posteriors_of(lanes, &mut |step, _| {
+                if let Some(observer) = &mut observer {
+                    for (lane, (column, _)) in sound.iter().enumerate() {
+                        observer(*column, row, step, lane);
+                    }
+                }
+                row += 1;
+            });
+            for ((place, _), log) in sound.iter().zip(found) {
+                logs[*place] = log;
+            }
         }
-        logs
     }
 
     /// What each impact adds to the likelihood at a vector; `None` where it makes no sense.
     pub(super) fn details(&self, vector: &[f64]) -> Option<Details> {
-        let mut details = Details::for_rows(self.rows_of_data());
+        let mut details = Details::default();
         let vector = DMatrix::from_column_slice(vector.len(), 1, vector);
         let mut observe = |_, _, step: &Step<LANES>, lane: usize| details.add(step, lane);
         self.log_posteriors_observed(&vector, Some(&mut observe))[0]?;
         Some(details)
     }
 
-    /// What the likelihood at each point is made of; `None` where it makes no sense. Several at once are faster than one
-    /// after the other.
-    pub(super) fn evaluate(&self, points: &[Point]) -> Vec<Option<Evaluation<'a>>> {
-        points
-            .chunks(LANES)
-            .flat_map(|group| self.evaluate_group(group))
-            .collect()
-    }
-
-    fn evaluate_group(&self, points: &[Point]) -> Vec<Option<Evaluation<'a>>> {
-        let trial = |point: &Point| self.trial_in(&[], *point, self.table(point)?);
-        let trials: Vec<Option<Trial>> = points.iter().map(trial).collect();
-        let rows = self.rows_of_data();
-        let evaluation = |trial: &Trial<'a, '_>| {
-            let mut ends = Vec::with_capacity(rows + 1);
-            // A release is compared with the fall; without one the first step is that of the first interval.
-            if self.release_s.is_none() {
-                ends.push(InitialFall::end(&[trial.fall]));
-            }
-            Evaluation {
-                fall: trial.fall,
-                table: trial.table,
-                ends,
-                details: Details::for_rows(rows),
-            }
-        };
-        let evaluations = trials.iter().map(|trial| trial.as_ref().map(evaluation));
-        let mut evaluations: Vec<Option<Evaluation>> = evaluations.collect();
-        let logs = self.log_posteriors_of_group(&trials, &mut |place, _, step, lane| {
-            if let Some(evaluation) = &mut evaluations[place] {
-                evaluation.details.add(step, lane);
-                evaluation.ends.push(step.end.in_lane(lane));
-            }
-        });
-        let sound = logs.into_iter().zip(evaluations);
-        sound
-            .map(|(log, evaluation)| evaluation.filter(|_| log.is_some()))
-            .collect()
+    /// What the likelihood at a point is made of; `None` where it makes no sense.
+    pub(super) fn evaluate(&self, point: &Point) -> Option<Evaluation<'a>> {
+        let trial = self.trial_in(&[], *point, self.table(point)?)?;
+        let mut details = Details::default();
+        // A release is compared with the fall; without one the first step is that of the first interval.
+        let mut ends = Vec::new();
+        if self.release_s.is_none() {
+            ends.push(InitialFall::end(&[trial.fall]));
+        }
+        self.log_posteriors_of([&trial], &mut |step, end| {
+            details.add(step, 0);
+            ends.push(*end);
+        })[0]?;
+        Some(Evaluation {
+            fall: trial.fall,
+            table: trial.table,
+            ends,
+            details,
+        })
     }
 
     /// The drop height that a point stands for, m.
@@ -302,11 +267,12 @@ impl<'a> Model<'a> {
         })
     }
 
-    /// Logarithm of prior times likelihood of each trial, with every step told.
+    /// Logarithm of prior times likelihood of each trial, with every step told, and the interval or fall that ends at its
+    /// impact.
     fn log_posteriors_of<const L: usize>(
         &self,
         trials: [&Trial; L],
-        tell: &mut dyn FnMut(&Step<L>),
+        tell: &mut dyn FnMut(&Step<L>, &End<L>),
     ) -> [Option<f64>; L] {
         let log_likelihood = dispatch(
             #[inline(always)]
@@ -330,7 +296,7 @@ impl<'a> Model<'a> {
     fn log_likelihood<const L: usize>(
         &self,
         trials: &[&Trial; L],
-        tell: &mut dyn FnMut(&Step<L>),
+        tell: &mut dyn FnMut(&Step<L>, &End<L>),
     ) -> Lanes<L> {
         let observed = self.observed;
         let points = trials.map(|trial| trial.point);
@@ -341,13 +307,13 @@ impl<'a> Model<'a> {
         if let Some(release_s) = self.release_s {
             let first_s = observed.impacts[0].time_s;
             let residual = Residual::of_release(first_s, release_s, &falls);
-            tell(&likelihood.add(&residual, &before));
+            tell(&likelihood.add(&residual), &before);
         }
         let mut jacobian = Product::default();
         for interval in 0..observed.intervals.len() {
             let after = self.end(interval, trials);
             let residual = Residual::between(&before, &after, interval, &laws);
-            tell(&likelihood.add(&residual, &after));
+            tell(&likelihood.add(&residual), &after);
             jacobian.multiply(after.launch_per_s);
             before = after;
         }
@@ -438,7 +404,7 @@ impl<'a> Model<'a> {
             tried[(column % unknowns, column)] += sign(column) * STEP;
         }
         let mut residuals = DMatrix::zeros(self.rows_of_data(), unknowns);
-        let mut details = Details::for_rows(self.rows_of_data());
+        let mut details = Details::default();
         let mut observe = |column: usize, row: usize, step: &Step<LANES>, lane: usize| {
             if column < 2 * unknowns {
                 residuals[(row, column % unknowns)] += sign(column) * step.residual.value.0[lane];
@@ -464,15 +430,6 @@ impl<'a> Model<'a> {
 }
 
 impl Details {
-    /// None yet of so many rows.
-    fn for_rows(rows: usize) -> Self {
-        Self {
-            residuals: Vec::with_capacity(rows),
-            innovations: Vec::with_capacity(rows),
-            factors: Vec::with_capacity(rows),
-        }
-    }
-
     /// Adds a step in one of its lanes.
     fn add<const L: usize>(&mut self, step: &Step<L>, lane: usize) {
         let [second, first, variance] = step.factor.map(|entry| entry.0[lane]);
@@ -531,9 +488,9 @@ impl<'o, const L: usize> Likelihood<'o, L> {
         }
     }
 
-    /// Adds a residual, and the end that its impact has after it.
+    /// Adds a residual.
     #[inline(always)]
-    fn add<'r>(&mut self, residual: &'r Residual<L>, end: &'r End<L>) -> Step<'r, L> {
+    fn add<'r>(&mut self, residual: &'r Residual<L>) -> Step<'r, L> {
         let noise = &self.noise;
         let by_scatter = noise.scatter * residual.scatter;
         let diagonal = by_scatter + noise.by_time(residual) + residual.own_variance;
@@ -563,7 +520,6 @@ impl<'o, const L: usize> Likelihood<'o, L> {
         self.before = [Some(*residual), self.before[0]];
         Step {
             residual,
-            end,
             factor,
             scatter_share,
             tail,
@@ -701,8 +657,7 @@ pub(super) mod tests {
     }
 
     fn details_at(model: &Model, point: Point) -> Details {
-        let evaluation = model.evaluate(&[point]).remove(0);
-        evaluation.unwrap().details
+        model.evaluate(&point).unwrap().details
     }
 
     /// The derivatives by the times, gaps included, against moving each time a little. The middle of

@@ -92,20 +92,6 @@ impl<const L: usize> End<L> {
         }
     }
 
-    /// That under one point.
-    pub(super) fn in_lane(&self, lane: usize) -> End<1> {
-        let of = |lanes: Lanes<L>| Lanes([lanes.0[lane]]);
-        End {
-            log_launch: of(self.log_launch),
-            log_impact: of(self.log_impact),
-            launch_per_s: of(self.launch_per_s),
-            impact_per_s: of(self.impact_per_s),
-            launch_scatter: of(self.launch_scatter),
-            impact_scatter: of(self.impact_scatter),
-            shared_scatter: of(self.shared_scatter),
-        }
-    }
-
     /// The ends of one interval under each of the points; one that makes no sense is not a number.
     pub(super) fn gather(ends: [Option<End<1>>; L]) -> Self {
         let lanes = |number: fn(&End<1>) -> Lanes<1>| {

@@ -12,7 +12,7 @@ use super::order::order;
 use super::predict::{self, Future, Rest};
 use super::priors::{LawKind, Priors};
 use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
-use super::smoothing::{DropState, Smoother};
+use super::smoothing::DropState;
 use super::timed_flights::TimedFlights;
 use crate::ball::Ball;
 use crate::drag::DragLaw;
@@ -561,13 +561,10 @@ impl SampledPosterior {
             let points: Vec<Point> = of_candidate.iter().map(|(_, point)| *point).collect();
             let mut states = Vec::with_capacity(points.len());
             let mut futures = Vec::with_capacity(points.len());
-            for (point, evaluation) in points.iter().zip(model.evaluate(&points)) {
+            for point in &points {
                 let mut future = Future::new(&self.priors, number);
                 number += 1;
-                let drawn = evaluation.and_then(|evaluation| {
-                    Smoother::new(model.observed, point, evaluation).draw(&mut future.rng)
-                });
-                let Some(state) = drawn else {
+                let Some(state) = model.drawn_state(point, &mut future.rng) else {
                     return Vec::new();
                 };
                 states.push(state);

@@ -11,7 +11,7 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::banded::Banded;
 use super::likelihood::Evaluation;
-use super::model::Point;
+use super::model::{Model, Point};
 use super::observed::Observed;
 use super::residual::{Noise, Residual};
 
@@ -38,8 +38,17 @@ struct Deviations {
     off: Vec<[f64; 2]>,
 }
 
-/// What the times tell of a drop whose unknowns have given values.
-pub(super) struct Smoother<'a> {
+impl Model<'_> {
+    /// A drop that the times may tell, if the unknowns have these values; one of many.
+    pub(super) fn drawn_state(&self, point: &Point, rng: &mut ChaCha8Rng) -> Option<DropState> {
+        let smoother = Smoother::new(self.observed, point, self.evaluate(point)?);
+        let mut deviations = smoother.draw(rng);
+        smoother.correct(&mut deviations, rng)?;
+        smoother.state(&deviations)
+    }
+}
+
+struct Smoother<'a> {
     observed: &'a Observed,
     point: &'a Point,
     evaluation: Evaluation<'a>,
@@ -50,11 +59,7 @@ pub(super) struct Smoother<'a> {
 }
 
 impl<'a> Smoother<'a> {
-    pub(super) fn new(
-        observed: &'a Observed,
-        point: &'a Point,
-        evaluation: Evaluation<'a>,
-    ) -> Self {
+    fn new(observed: &'a Observed, point: &'a Point, evaluation: Evaluation<'a>) -> Self {
         let noise = Noise::new(&observed.sigma_s, &[*point]);
         let [by_time, by_scatter, by_release] = noise.covariances(&evaluation.details);
         let mut smoother = Self {
@@ -74,13 +79,6 @@ impl<'a> Smoother<'a> {
             })
             .collect();
         smoother
-    }
-
-    /// A drop that the times may tell; one of many.
-    pub(super) fn draw(&self, rng: &mut ChaCha8Rng) -> Option<DropState> {
-        let mut deviations = self.before_the_data(rng);
-        self.correct(&mut deviations, rng)?;
-        self.state(&deviations)
     }
 
     /// Variance of a residual by the scatter of the missed impacts on both sides, for a scatter of one.
@@ -109,7 +107,7 @@ impl<'a> Smoother<'a> {
     }
 
     /// Deviations as they are before the data.
-    fn before_the_data(&self, rng: &mut ChaCha8Rng) -> Deviations {
+    fn draw(&self, rng: &mut ChaCha8Rng) -> Deviations {
         let mut normal = || -> f64 { StandardNormal.sample(rng) };
         let impacts = 0..self.observed.sigma_s.len();
         let errors_s = impacts.map(|impact| self.sd_s(impact) * normal()).collect();
@@ -205,7 +203,6 @@ mod tests {
     use super::*;
     use crate::impact::Impact;
     use crate::inference::likelihood::tests::{impacts, with_model};
-    use crate::inference::model::Model;
 
     /// Standard error of the times of simulated drops, s, and that of the release of the model.
     const TIME_SD_S: f64 = 1e-3;
@@ -258,13 +255,7 @@ mod tests {
             let (detected, truth) =
                 with_model(&impacts(), |model, _| simulated(model, &point, &mut rng));
             let drawn: Vec<[f64; 3]> = with_model(&detected, |model, _| {
-                let states = model
-                    .evaluate(&[point; DRAWS])
-                    .into_iter()
-                    .map(|evaluation| {
-                        let smoother = Smoother::new(model.observed, &point, evaluation.unwrap());
-                        smoother.draw(&mut rng).unwrap()
-                    });
+                let states = (0..DRAWS).map(|_| model.drawn_state(&point, &mut rng).unwrap());
                 let quantities = states.map(|state| {
                     let last = state.impact_speeds[state.impact_speeds.len() - 1];
                     [last, state.first_to_last_s, state.release_to_first_s]
