@@ -76,7 +76,7 @@ impl DragProfile {
 }
 
 /// What there is at a launch speed, with gravity taken out: multiply or divide by it.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Row {
     /// Launch speed, m/s.
     pub(crate) launch: f64,
@@ -163,7 +163,7 @@ struct March {
 }
 
 /// A whole flight: up, and down again.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RiseAndFall {
     pub(crate) row: Row,
     /// Gravity times the height of the apex, and d ln(height)/d ln(launch).
@@ -566,6 +566,7 @@ mod tests {
             let model = model(drag);
             let tables = FlightTables::new(DragProfile::new(&model, 12.0, 80).unwrap());
             let table = tables.at(1.0).unwrap();
+            let mut for_many = table.for_many();
             let gravity = model.gravity_m_s2();
             for launch in [0.4, 1.0, 2.0, 4.0, 7.0] {
                 let exact = model.launch(launch).unwrap();
@@ -590,6 +591,7 @@ mod tests {
                     near(whole.row.impact, exact.impact_speed_m_s),
                     "{drag} {launch}"
                 );
+                assert_eq!(for_many.rise_and_fall(launch), Some(whole));
                 let apex = (whole.gravity_height, whole.height_slope);
                 assert_eq!(table.apex(launch), Some(apex), "{drag} {launch}");
                 let slopes = model.launch_derivatives(&exact).unwrap();

@@ -13,8 +13,7 @@ use crate::error::Result;
 use crate::estimate::Estimate;
 use crate::flight::{Environment, FlightModel};
 
-/// Draws that do not come to rest are the longest. Where more than the rest of this share do not, the others would say
-/// too short a time until rest.
+/// This share of the draws must come to rest: without the others, which last the longest, they would state too short a time.
 const MOSTLY: f64 = 0.99;
 
 /// The drag of the ball.

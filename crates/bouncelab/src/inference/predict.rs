@@ -71,56 +71,53 @@ pub(super) fn until_rest<'s>(
     model: &Model,
     drops: impl IntoIterator<Item = (Point, &'s DropState, Future)>,
 ) -> Vec<Option<Rest>> {
-    let mut found = Vec::new();
+    let mut rests = Vec::new();
     let mut waiting = drops.into_iter();
     let mut lanes: [Option<Bouncing>; LANES] = array::from_fn(|_| None);
-    let mut laws: Option<Restitutions<LANES>> = None;
     loop {
         for lane in lanes.iter_mut().filter(|lane| lane.is_none()) {
-            for (point, state, future) in waiting.by_ref() {
-                let number = found.len();
-                found.push(None);
-                *lane = Bouncing::new(model, point, state, future, number);
-                if lane.is_some() {
-                    laws = None;
-                    break;
-                }
-            }
+            *lane = waiting.find_map(|(point, state, future)| {
+                rests.push(None);
+                Bouncing::new(model, point, state, future, rests.len() - 1)
+            });
         }
-        let Some(any) = lanes.iter().flatten().next() else {
-            return found;
+        let Some([expected, launch]) = next_impacts(&mut lanes) else {
+            return rests;
         };
-        let laws = *laws.get_or_insert_with(|| {
-            let law = |lane: &Option<Bouncing>| lane.as_ref().unwrap_or(any).point.law;
-            Restitutions::of(&array::from_fn(|lane| law(&lanes[lane])))
-        });
-        let random = lanes.each_mut();
-        let deviations = tail::draw(random.map(|lane| Some(&mut lane.as_mut()?.future.rng)));
-        let of = |number: fn(&Bouncing) -> f64| {
-            Lanes::of(|lane| lanes[lane].as_ref().map_or(0.0, number))
-        };
-        let [impact, slowest] = [of(|it| it.impact), of(|it| it.slowest)];
-        let [scatter, exponent] = [of(|it| it.point.scatter), of(|it| it.future.loss_exponent)];
-        let (expected, launch) = dispatch(
-            #[inline(always)]
-            || {
-                let ln_impact = impact.ln();
-                let (ln_e, _) = laws.ln_at_with_log_slope(ln_impact);
-                let slower = ((slowest.ln() - ln_impact) * exponent).exp();
-                let lost_to_kept = ((-ln_e).exp() - 1.0) * slower;
-                let expected = Lanes::all(1.0) / (lost_to_kept + 1.0);
-                (expected, impact * expected * (scatter * deviations).exp())
-            },
-        );
         for (place, lane) in lanes.iter_mut().enumerate() {
             let Some(drop) = lane else { continue };
-            let after = drop.after_impact(launch.0[place], expected.0[place]);
+            let after = drop.after_impact(expected.0[place], launch.0[place]);
             if let ControlFlow::Break(rest) = after {
-                found[drop.number] = rest;
+                rests[drop.number] = rest;
                 *lane = None;
             }
         }
     }
+}
+
+/// What the next impact of each drop is expected to keep of the speed, and the launch after it, m/s; `None` where there is
+/// no drop in any lane.
+fn next_impacts(lanes: &mut [Option<Bouncing>; LANES]) -> Option<[Lanes<LANES>; 2]> {
+    let any = lanes.iter().flatten().next()?.point.law;
+    let random = lanes.each_mut();
+    let deviations = tail::draw(random.map(|lane| Some(&mut lane.as_mut()?.future.rng)));
+    let law = |lane: &Option<Bouncing>| lane.as_ref().map_or(any, |drop| drop.point.law);
+    let laws = Restitutions::of(&array::from_fn(|lane| law(&lanes[lane])));
+    let of =
+        |number: fn(&Bouncing) -> f64| Lanes::of(|lane| lanes[lane].as_ref().map_or(0.0, number));
+    let [impact, slowest] = [of(|it| it.impact), of(|it| it.slowest)];
+    let [scatter, exponent] = [of(|it| it.point.scatter), of(|it| it.future.loss_exponent)];
+    Some(dispatch(
+        #[inline(always)]
+        || {
+            let ln_impact = impact.ln();
+            let (ln_e, _) = laws.ln_at_with_log_slope(ln_impact);
+            let slower = ((slowest.ln() - ln_impact) * exponent).exp();
+            let lost_to_kept = ((-ln_e).exp() - 1.0) * slower;
+            let expected = Lanes::all(1.0) / (lost_to_kept + 1.0);
+            [expected, impact * expected * (scatter * deviations).exp()]
+        },
+    ))
 }
 
 impl<'a> Bouncing<'a> {
@@ -167,9 +164,9 @@ impl<'a> Bouncing<'a> {
         })
     }
 
-    /// Goes on from the launch after an impact, which was expected to keep so much of the speed; its end if that is the
-    /// last, without a result if it does not come to rest.
-    fn after_impact(&mut self, launch: f64, expected: f64) -> ControlFlow<Option<Rest>> {
+    /// Goes on from an impact that was expected to keep so much of the speed, and the launch after it. Breaks at its end,
+    /// without a result if it does not come to rest.
+    fn after_impact(&mut self, expected: f64, launch: f64) -> ControlFlow<Option<Rest>> {
         let gravity = self.point.gravity_m_s2;
         self.rest.time_s += self.point.contact_time_s;
         if launch < (0.5 * gravity * self.point.contact_time_s).max(REST_M_S) {
@@ -235,6 +232,31 @@ pub(super) fn rebound_m(model: &Model, point: &Point, drop_height_m: f64) -> Opt
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::impact::Restitution;
+    use crate::inference::likelihood::tests::{impacts, with_model};
+
+    /// Drops of unlike futures, more than there are lanes, come to rest as each does alone; one of them never does.
+    #[test]
+    fn drops_side_by_side_rest_as_alone() {
+        with_model(&impacts(), |model, vector| {
+            let point = model.point(vector).unwrap();
+            let state = model
+                .drawn_state(&point, &mut ChaCha8Rng::seed_from_u64(1))
+                .unwrap();
+            let drop = |number: u32| {
+                let mut point = point;
+                point.scatter = 1e-3 * f64::from(number);
+                let at_rest = if number == 7 { 1.0 } else { 0.9 };
+                point.law = Restitution::linear(at_rest, 0.0).unwrap();
+                (point, &state, Future::new(&Priors::default(), number))
+            };
+            let together = until_rest(model, (0..20).map(drop));
+            let alone = (0..20).flat_map(|number| until_rest(model, [drop(number)]));
+            assert_eq!(together, alone.collect::<Vec<_>>());
+            assert_eq!(together.iter().position(Option::is_none), Some(7));
+            assert_eq!(together.iter().flatten().count(), 19);
+        });
+    }
 
     /// Added up bounce by bounce: a launch at v lasts 2 v/g and goes v²/g up and down.
     #[test]
