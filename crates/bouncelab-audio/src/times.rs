@@ -13,7 +13,7 @@
 //! increase. Other units are not guessed at.
 
 mod audacity;
-mod heading;
+pub(crate) mod heading;
 mod text_grid;
 
 use std::borrow::Cow;

@@ -11,6 +11,7 @@ use std::sync::Arc;
 use crate::error::{Error, Result};
 use crate::problem::TimesProblem;
 use crate::source::Source;
+use crate::times::heading::seconds;
 use crate::wav::{SampleFormat, encode_wav};
 
 /// Fewer rows are no sound; no list of impacts has so many at equal distances.
@@ -197,13 +198,7 @@ fn unit_s(heading: &str, separator: char) -> f64 {
         .unwrap_or_default()
         .to_lowercase();
     let mut words = of_times.split(|c: char| !c.is_alphabetic());
-    words
-        .find_map(|word| match word {
-            "ms" | "millisecond" | "milliseconds" => Some(1e-3),
-            "us" | "µs" | "μs" | "microsecond" | "microseconds" => Some(1e-6),
-            _ => None,
-        })
-        .unwrap_or(1.0)
+    words.find_map(seconds).unwrap_or(1.0)
 }
 
 /// How many times there are in a unit, if they are at equal distances.

@@ -47,6 +47,9 @@ fn what_instruments_and_apps_export_is_sound() {
             format!("{t:.9E},{a:E}")
         }),
         table("Time (ms)\tCH1", |t, a| format!("{:.4}\t{a}", t * 1e3)),
+        table("Zeit (Millisekunden);Spannung (V)", |t, a| {
+            comma(format!("{:.4};{a}", t * 1e3))
+        }),
         table("time_us;ch 1", |t, a| comma(format!("{:.2};{a};", t * 1e6))),
         table("Source,CH1\nSecond,Volt", |t, a| {
             format!("{:.7},{a}", t - 0.5)

@@ -25,12 +25,15 @@ fn is_time(word: &str) -> bool {
     matches!(word, "time" | "times" | "t" | "zeit" | "temps" | "tiempo")
 }
 
-fn seconds(unit: &str) -> Option<f64> {
+/// How many seconds a unit has, by its symbol or name in lower case.
+pub(crate) fn seconds(unit: &str) -> Option<f64> {
     match unit {
         "s" | "sec" | "second" | "seconds" | "sekunden" | "secondes" | "segundos" => Some(1.0),
-        "ms" | "msec" | "millisecond" | "milliseconds" => Some(1e-3),
-        "us" | "µs" | "μs" | "microseconds" => Some(1e-6),
-        "min" | "minutes" => Some(60.0),
+        "ms" | "msec" | "millisecond" | "milliseconds" | "millisekunden" | "millisecondes"
+        | "milisegundos" => Some(1e-3),
+        "us" | "µs" | "μs" | "microsecond" | "microseconds" | "mikrosekunden" | "microsecondes"
+        | "microsegundos" => Some(1e-6),
+        "min" | "minutes" | "minuten" | "minutos" => Some(60.0),
         _ => None,
     }
 }
@@ -48,6 +51,7 @@ mod tests {
             ("Impact time [ms]", Some(1e-3)),
             ("time_ms", Some(1e-3)),
             ("Zeit in ms", Some(1e-3)),
+            ("Zeit in Millisekunden", Some(1e-3)),
             ("t/s", Some(1.0)),
             ("t / µs", Some(1e-6)),
             ("Temps (min)", Some(60.0)),
