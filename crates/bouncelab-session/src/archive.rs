@@ -50,8 +50,8 @@ pub(crate) fn entries(path: &Path, wanted: impl Fn(&Path) -> bool) -> Result<Vec
     for number in 0..archive.len() {
         let file = archive
             .by_index_data(number)
-            .map_err(|reason| refused(path, &reason))?;
-        let name = file.name().map_err(|reason| refused(path, &reason))?;
+            .map_err(|reason| unread(path, &reason))?;
+        let name = file.name().map_err(|reason| unread(path, &reason))?;
         let name = Path::new(&*name);
         // Some programs begin every name with "./"; and ".." leads nowhere, for nothing is written.
         let name = name.strip_prefix(".").unwrap_or(name).to_owned();
@@ -101,10 +101,10 @@ fn unpack<T>(
     let mut archive = open(path)?;
     let file = archive
         .by_index(entry.number)
-        .map_err(|reason| refused(path, &reason))?;
+        .map_err(|reason| unread(path, &reason))?;
     let size = file.size().min(MOST_BYTES);
     let mut announced = file.take(size + 1);
-    let content = read(&mut announced).map_err(|reason| refused(path, &reason))?;
+    let content = read(&mut announced).map_err(|_| damaged(path))?;
     if announced.limit() == 0 {
         let problem = format!("\"{}\", which is larger than announced", shown(&entry.name));
         return Err(refused(path, &TooMuch(&problem)));
@@ -114,13 +114,28 @@ fn unpack<T>(
 
 fn open(path: &Path) -> Result<ZipArchive<BufReader<File>>> {
     let file = crate::hash::open(path).map_err(Error::read(path))?;
-    ZipArchive::new(BufReader::new(file)).map_err(|reason: ZipError| refused(path, &reason))
+    ZipArchive::new(BufReader::new(file)).map_err(|reason| unread(path, &reason))
 }
 
+/// Another program may read what this one does not.
 fn refused(path: &Path, problem: &dyn fmt::Display) -> Error {
     Error::Archive {
         path: path.to_owned(),
-        problem: problem.to_string(),
+        problem: format!("{problem}; unpack it into a folder, and name that"),
+    }
+}
+
+fn damaged(path: &Path) -> Error {
+    Error::Archive {
+        path: path.to_owned(),
+        problem: "it is damaged, or no ZIP archive; copy or download it again".to_owned(),
+    }
+}
+
+fn unread(path: &Path, reason: &ZipError) -> Error {
+    match reason {
+        ZipError::InvalidArchive(_) | ZipError::Io(_) => damaged(path),
+        _ => refused(path, reason),
     }
 }
 
@@ -206,17 +221,18 @@ mod tests {
     #[test]
     fn what_is_no_archive_or_too_much_is_refused() {
         let nothing = tempfile::NamedTempFile::new().unwrap();
-        assert!(matches!(
-            entries(nothing.path(), |_| true),
-            Err(Error::Archive { .. })
-        ));
+        let refused = entries(nothing.path(), |_| true).unwrap_err().to_string();
+        assert!(refused.ends_with("copy or download it again"), "{refused}");
         let many: Vec<_> = (0..=MOST_FILES)
             .map(|n| (format!("{n}.wav"), Vec::new()))
             .collect();
         let refused = entries(archive(&many).path(), |_| true)
             .unwrap_err()
             .to_string();
-        assert!(refused.contains("more than 10,000 files"), "{refused}");
+        assert!(
+            refused.contains("more than 10,000 files; unpack it"),
+            "{refused}"
+        );
     }
 
     /// The size that an archive announces is changed in its list of contents, as an archive that bursts does.
@@ -243,5 +259,16 @@ mod tests {
             hash(packed.path(), entry),
             Err(Error::Archive { .. })
         ));
+    }
+
+    #[test]
+    fn a_damaged_recording_is_to_be_copied_again() {
+        let packed = archive(&[("drop.wav".to_owned(), (0..200).collect())]);
+        let mut bytes = std::fs::read(packed.path()).unwrap();
+        bytes[100] ^= 1;
+        std::fs::write(packed.path(), bytes).unwrap();
+        let entry = &entries(packed.path(), |_| true).unwrap()[0];
+        let refused = read(packed.path(), entry).unwrap_err().to_string();
+        assert!(refused.contains("copy or download it again"), "{refused}");
     }
 }

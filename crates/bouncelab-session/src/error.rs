@@ -24,15 +24,11 @@ pub enum Error {
         source: std::io::Error,
     },
     /// An archive of recordings cannot be read, or holds too much.
-    #[error(
-        "cannot read {}: {}; unpack it into a folder, and name that",
-        shown(path),
-        Plain::of(problem)
-    )]
+    #[error("cannot read {}: {}", shown(path), Plain::of(problem))]
     Archive {
         /// The archive.
         path: PathBuf,
-        /// What is wrong with it.
+        /// What is wrong with it, and what to do.
         problem: String,
     },
     /// A file of notes is not what it should be.
