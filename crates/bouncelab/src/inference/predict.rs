@@ -55,8 +55,8 @@ struct Bouncing<'a> {
     point: Point,
     table: BlendedTable<'a>,
     future: Future,
-    /// Speed at the slowest impact detected, and at the one that comes, m/s.
-    slowest: f64,
+    /// Logarithm of the speed at the slowest impact detected, and the speed at the one that comes, m/s.
+    ln_slowest: f64,
     impact: f64,
     bounces: usize,
     /// So far.
@@ -105,14 +105,14 @@ fn next_impacts(lanes: &mut [Option<Bouncing>; LANES]) -> Option<[Lanes<LANES>; 
     let laws = Restitutions::of(&array::from_fn(|lane| law(&lanes[lane])));
     let of =
         |number: fn(&Bouncing) -> f64| Lanes::of(|lane| lanes[lane].as_ref().map_or(0.0, number));
-    let [impact, slowest] = [of(|it| it.impact), of(|it| it.slowest)];
+    let [impact, ln_slowest] = [of(|it| it.impact), of(|it| it.ln_slowest)];
     let [scatter, exponent] = [of(|it| it.point.scatter), of(|it| it.future.loss_exponent)];
     Some(dispatch(
         #[inline(always)]
         || {
             let ln_impact = impact.ln();
             let (ln_e, _) = laws.ln_at_with_log_slope(ln_impact);
-            let slower = ((slowest.ln() - ln_impact) * exponent).exp();
+            let slower = ((ln_slowest - ln_impact) * exponent).exp();
             let lost_to_kept = ((-ln_e).exp() - 1.0) * slower;
             let expected = Lanes::all(1.0) / (lost_to_kept + 1.0);
             [expected, impact * expected * (scatter * deviations).exp()]
@@ -154,7 +154,7 @@ impl<'a> Bouncing<'a> {
             point,
             table: table.for_many(),
             future,
-            slowest,
+            ln_slowest: Lanes([slowest]).ln().0[0],
             impact: slowest,
             bounces: 0,
             rest: Rest {

@@ -550,18 +550,17 @@ impl SampledPosterior {
     /// if one of them makes no sense.
     pub(super) fn drops(&self, points: &[Point]) -> Vec<DrawnDrop> {
         let draws = self.draws.iter().zip(points).step_by(THINNED);
-        let chosen: Vec<(usize, Point)> = draws
-            .map(|(draw, point)| (draw.candidate, *point))
-            .collect();
+        let chosen: Vec<(usize, &Point)> =
+            draws.map(|(draw, point)| (draw.candidate, point)).collect();
         let mut number = 0;
         let mut drops = Vec::with_capacity(chosen.len());
         for of_candidate in chosen.chunk_by(|(one, _), (other, _)| one == other) {
             let candidate = of_candidate[0].0;
             let model = self.model(&self.candidates[candidate]);
-            let points: Vec<Point> = of_candidate.iter().map(|(_, point)| *point).collect();
-            let mut states = Vec::with_capacity(points.len());
-            let mut futures = Vec::with_capacity(points.len());
-            for point in &points {
+            let points = of_candidate.iter().map(|&(_, point)| point);
+            let mut states = Vec::with_capacity(of_candidate.len());
+            let mut futures = Vec::with_capacity(of_candidate.len());
+            for point in points.clone() {
                 let mut future = Future::new(&self.priors, number);
                 number += 1;
                 let Some(state) = model.drawn_state(point, &mut future.rng) else {
@@ -570,10 +569,10 @@ impl SampledPosterior {
                 states.push(state);
                 futures.push(future);
             }
-            let on_the_way = points.iter().zip(&states).zip(futures);
+            let on_the_way = points.clone().zip(&states).zip(futures);
             let on_the_way = on_the_way.map(|((point, state), future)| (*point, state, future));
             let rests = predict::until_rest(&model, on_the_way);
-            let drawn = points.iter().zip(states).zip(rests);
+            let drawn = points.zip(states).zip(rests);
             drops.extend(drawn.map(|((point, state), rest)| DrawnDrop {
                 candidate,
                 law: point.law,
