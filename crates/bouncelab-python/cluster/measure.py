@@ -1,6 +1,7 @@
 """Figures for docs/cluster.md; each is a command: `python measure.py FIGURE ...`, from this folder.
 
-spark COUNT [WORKERS]    COUNT recordings on Spark: rows against `session`, files a second, processor time
+spark COUNT [WORKERS]    COUNT recordings on Spark: rows against `session`, files a second, processor time, that of
+                         the kernel alone in as many processes, before and after
 ray COUNT [WORKERS]      the same on Ray
 kernel COUNT             the kernel alone, in one process: files a second, memory
 study COUNT              a study of COUNT simulated drops: time and memory
@@ -21,7 +22,10 @@ import tempfile
 import threading
 import time
 from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
 from pathlib import Path
+from statistics import fmean
 
 import psutil
 import pyarrow
@@ -57,9 +61,8 @@ class Watch:
         of_workers = {0: 0.0}
         for process in psutil.Process().children(recursive=True):
             with contextlib.suppress(psutil.Error):
-                key, used = (process.pid, process.create_time()), process.cpu_times()
-                times[key] = used.user + used.system
-                role = self.roles[key] = _role(process)
+                key, role, used = (process.pid, process.create_time()), _role(process), process.cpu_times()
+                self.roles[key], times[key] = role, used.user + used.system
                 if role.startswith(("worker", "child", "pyspark")):
                     worker = process.ppid() if role.startswith("child") else process.pid
                     of_workers[worker] = of_workers.get(worker, 0.0) + process.memory_full_info().uss / MB
@@ -113,13 +116,18 @@ def engine(kind: type[Spark] | type[Ray], count: int, workers: int = 2) -> None:
         os.environ.update(started.environment)
         analyze = _analyze(started)
         analyze(warm, folder / "warm.parquet")
+        alone = [_alone(source, workers)]
         watch, start = Watch(), time.monotonic()
         analyze(source, folder / "results.parquet")
         seconds = time.monotonic() - start
         by_role, memory = watch.stop()
+        alone.append(_alone(source, workers))
         processors = sum(by_role.values())
         print(f"{kind.__name__}, {workers} workers: {count} recordings, {count / seconds:.1f} files/s")
         print(f"processor time of cluster and driver: {processors:.1f} s, {1000 * processors / count:.1f} ms a recording")
+        kernel = fmean(alone)
+        print(f"the kernel alone: {alone[0]:.1f} ms before, {alone[1]:.1f} ms after;", end=" ")
+        print(f"the engine adds {100 * (1000 * processors / count / kernel - 1):.1f} %")
         for role, used in sorted(by_role.items(), key=lambda item: -item[1]):
             print(f"  {role}: {1000 * used / count:.2f} ms")
         quarters = [max(memory[i * len(memory) // 4 : (i + 1) * len(memory) // 4]) for i in range(4)]
@@ -154,16 +162,31 @@ def _session(source: Path) -> Path:
     return folder
 
 
+def _alone(source: Path, workers: int) -> float:
+    """Processor time of the kernel alone for each of at most 2,000 of the recordings, in ms."""
+    given = parquet.read_table(listed(source), columns=["path"])
+    given = given.take(list(range(0, given.num_rows, -(-given.num_rows // 2000))))
+    with ProcessPoolExecutor(workers, get_context("spawn")) as pool:
+        parts = [given.take(list(range(first, given.num_rows, workers))) for first in range(workers)]
+        seconds = sum(pool.map(_analyzed, [source] * workers, parts))
+    return 1000 * seconds / given.num_rows
+
+
+def _analyzed(source: Path, given: pyarrow.Table, memory: list[float] | None = None) -> float:
+    """Analyse recordings with the kernel alone; return the processor time, in s."""
+    start = time.process_time()
+    for part in batch.kernel(SETTINGS, root=source)(given.to_batches()):
+        if memory is not None:
+            memory.append(psutil.Process().memory_full_info().uss / MB)
+        del part
+    return time.process_time() - start
+
+
 def kernel(count: int) -> None:
     """The kernel alone."""
     source = record(TEMPORARY / f"recordings-{count}", count)
-    given = parquet.read_table(listed(source), columns=["path"])
-    start = time.process_time()
-    memory = []
-    for part in batch.kernel(SETTINGS, root=source)(given.to_batches()):
-        memory.append(psutil.Process().memory_full_info().uss / MB)
-        del part
-    seconds = time.process_time() - start
+    memory: list[float] = []
+    seconds = _analyzed(source, parquet.read_table(listed(source), columns=["path"]), memory)
     print(f"kernel: {1000 * seconds / count:.1f} ms of processor time a recording")
     print(f"memory: {memory[0]:.0f} MB after 50 recordings, {memory[-1]:.0f} MB after {count}, at most {max(memory):.0f} MB")
 

@@ -32,7 +32,7 @@ def analyze(
     notes: DataFrame | None = None,
     with_content: bool | None = None,
     files_per_trigger: int = 10_000,
-    files_per_task: int = 50,
+    files_per_task: int = 200,
 ) -> int:
     """Analyse the recordings of a folder that were not analysed yet, each exactly once; return how many.
 

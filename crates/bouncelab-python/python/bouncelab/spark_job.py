@@ -26,12 +26,12 @@ def main() -> None:
     parser.add_argument("--settings", type=Path, help="JSON with more options of bouncelab.batch.kernel")
     parser.add_argument("--notes", help="CSV with a column recording and what was noted")
     parser.add_argument("--with-content", action=argparse.BooleanOptionalAction, help="whether Spark reads the files")
-    parser.add_argument("--files-per-trigger", type=int, default=10_000)
-    parser.add_argument("--files-per-task", type=int, default=50)
-    asked = vars(parser.parse_args())
-    file, notes = asked.pop("settings"), asked.pop("notes")
+    parser.add_argument("--files-per-trigger", type=int, help="as of bouncelab.spark.analyze")
+    parser.add_argument("--files-per-task", type=int, help="as of bouncelab.spark.analyze")
+    asked = {name: value for name, value in vars(parser.parse_args()).items() if value is not None}
+    file, notes = asked.pop("settings", None), asked.pop("notes", None)
     settings: Any = json.loads(file.read_text()) if file else {}
-    settings |= {name: value for name in ("ball", "pattern") if (value := asked.pop(name)) is not None}
+    settings |= {name: asked.pop(name) for name in ("ball", "pattern") if name in asked}
 
     from pyspark.sql import SparkSession
 
