@@ -10,6 +10,7 @@ use bouncelab::setup::{BallInput, SetupInput};
 use bouncelab::synth::Rendered;
 use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_report::file::{Outputs, create_folder};
+use bouncelab_report::mark::Mark;
 use bouncelab_report::{Align, Quantity, Table, Unit};
 use clap::Args;
 
@@ -74,7 +75,7 @@ fn write_recording(sound: &Rendered, folder: &Path, outputs: &Outputs) -> Result
     let path = folder.join("demo.wav");
     let format = SampleFormat::Int16;
     let wav = encode_wav(sound.sample_rate_hz, format, &[&sound.samples])?;
-    write(outputs, &path, "", &wav)?;
+    write(outputs, &path, Mark::NONE, &wav)?;
     Ok(path)
 }
 

@@ -8,7 +8,7 @@ use bouncelab::drag::DragLaw;
 use bouncelab::inference::LawKind;
 use bouncelab::synth::Voice;
 use bouncelab_report::file::create_folder;
-use bouncelab_report::mark::MANUAL;
+use bouncelab_report::mark::{MANUAL, MANUAL_LINE};
 use bouncelab_report::{messages, rules};
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, Args, Command, CommandFactory};
@@ -94,11 +94,11 @@ pub(crate) fn manual(arguments: &ManualArguments) -> Result<(), Failure> {
 fn pages(command: &Command, folder: &Path, outputs: &OutputArguments) -> Result<(), Failure> {
     let name = command.get_display_name().unwrap_or(command.get_name());
     // A comment of the page tells it from what others wrote.
-    let mut page = format!("{MANUAL}\n").into_bytes();
+    let mut page = format!("{MANUAL_LINE}\n").into_bytes();
     let man = Man::new(command.clone()).title(name.to_owned());
     man.render(&mut page)?;
     let path = folder.join(format!("{name}.1"));
-    write(&outputs.of_no_input(), &path, &format!("^{MANUAL}"), &page)?;
+    write(&outputs.of_no_input(), &path, MANUAL, &page)?;
     let own = command.get_subcommands().filter(|own| !own.is_hide_set());
     own.into_iter()
         .try_for_each(|own| pages(own, folder, outputs))

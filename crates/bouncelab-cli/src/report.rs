@@ -4,9 +4,10 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use bouncelab::Plain;
+use bouncelab_report::Saved;
 use bouncelab_report::file::{Outputs, create_folder};
+use bouncelab_report::mark::{self, Mark};
 use bouncelab_report::report::{Markdown, Page, Provenance};
-use bouncelab_report::{Saved, mark};
 use clap::Args;
 use jiff::Zoned;
 
@@ -43,7 +44,7 @@ enum Form {
 
 impl Form {
     /// By what an earlier report is known.
-    const fn mark(self) -> &'static str {
+    const fn mark(self) -> Mark {
         match self {
             Self::Html => mark::HTML,
             Self::Markdown => mark::MARKDOWN,
@@ -109,14 +110,11 @@ impl<'a> ReportFile<'a> {
     }
 }
 
-/// Recordings are never replaced unasked, nor are times.
-pub(crate) const NO_MARK: &str = "";
-
 /// Writes a file whole, and says so on stderr.
 pub(crate) fn write(
     outputs: &Outputs,
     path: &Path,
-    mark: &str,
+    mark: Mark,
     bytes: &[u8],
 ) -> Result<(), Failure> {
     let written = outputs.write(path, mark, bytes);

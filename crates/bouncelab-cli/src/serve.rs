@@ -135,7 +135,7 @@ struct Limits {
 const LIMITS: Limits = Limits {
     clients: 64,
     head: 16 << 10,
-    patience: || Box::pin(sleep(Duration::from_secs(30))),
+    patience: || Box::pin(sleep(Duration::from_secs(10))),
 };
 
 /// Answers whoever comes; returns only if it cannot go on.

@@ -7,6 +7,7 @@ use bouncelab::Plain;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, Voice};
 use bouncelab_audio::{SampleFormat, encode_wav};
+use bouncelab_report::mark::Mark;
 use bouncelab_report::messages::Value;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use clap::{Args, ValueEnum};
@@ -15,7 +16,7 @@ use crate::failure::Failure;
 use crate::history::HistoryArguments;
 use crate::language::text_with;
 use crate::physics::PhysicsArguments;
-use crate::report::{NO_MARK, OutputArguments};
+use crate::report::OutputArguments;
 use crate::terminal::print;
 use crate::units;
 
@@ -181,7 +182,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .transpose()?;
     let outputs = arguments.outputs.of_no_input();
     for file in std::iter::once(&arguments.output).chain(&arguments.truth) {
-        let allowed = outputs.check(file, NO_MARK);
+        let allowed = outputs.check(file, Mark::NONE);
         allowed.map_err(|reason| Failure::unwritable(file, &reason))?;
     }
     let options = &physics.options;
@@ -191,7 +192,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = arguments.bits.format();
     let wav = encode_wav(sound.sample_rate_hz, format, &[&sound.samples])?;
     let write = |file: &Path, bytes: &[u8]| {
-        let written = outputs.write(file, NO_MARK, bytes);
+        let written = outputs.write(file, Mark::NONE, bytes);
         written.map_err(|reason| Failure::unwritable(file, &reason))
     };
     write(&arguments.output, &wav)?;

@@ -5,14 +5,11 @@ use std::path::{Path, PathBuf};
 
 use bouncelab::Plain;
 use bouncelab_report::file::Outputs;
-use bouncelab_report::mark;
+use bouncelab_report::mark::{self, Mark};
 use bouncelab_session::table::Form;
 use pyo3::prelude::*;
 
 use crate::failure::{Failure, Result};
-
-/// Recordings are never replaced unasked.
-pub(crate) const NO_MARK: &str = "";
 
 /// Writes a file whole, in the place of another only if that is none of the inputs, and bouncelab wrote it or
 /// `force` asks for it. The form says by which mark the files of bouncelab are known.
@@ -30,7 +27,7 @@ pub(crate) fn write_file(
 
 pub(crate) fn write(
     path: &Path,
-    mark: &str,
+    mark: Mark,
     content: &[u8],
     inputs: &[PathBuf],
     force: bool,
@@ -39,11 +36,11 @@ pub(crate) fn write(
     written.map_err(|reason| unwritable(path, &reason))
 }
 
-fn mark_of(form: &str) -> &'static str {
+fn mark_of(form: &str) -> Mark {
     let tables = Form::ALL.map(|form| (form.ending(), form.mark()));
     let mut marks = mark::FIGURES.into_iter().chain(tables);
     let found = marks.find(|(ending, _)| *ending == form);
-    found.map_or(NO_MARK, |(_, mark)| mark)
+    found.map_or(Mark::NONE, |(_, mark)| mark)
 }
 
 /// The gate of a function that reads these files.

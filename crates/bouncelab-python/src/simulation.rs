@@ -8,6 +8,7 @@ use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Reverb, Scene, 
 use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_report::document::simulation::{Document, Run};
 use bouncelab_report::figure;
+use bouncelab_report::mark::Mark;
 use bouncelab_report::theme::Meaning;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -185,5 +186,5 @@ pub(crate) fn write_wav(
     let samples = frames.read(py, 0..frames.length)?;
     let channels: Vec<&[f32]> = samples.iter().map(Vec::as_slice).collect();
     let wav = encode_wav(sample_rate_hz, SampleFormat::Int16, &channels)?;
-    output::write(&path, output::NO_MARK, &wav, &[], force)
+    output::write(&path, Mark::NONE, &wav, &[], force)
 }

@@ -7,33 +7,34 @@
 //!
 //! ```
 //! use bouncelab_report::file::Outputs;
+//! use bouncelab_report::mark::Mark;
 //!
+//! const MINE: Mark = Mark::near_an_end("made by me");
 //! # let folder = tempfile::tempdir()?;
 //! let notes = folder.path().join("notes.txt");
 //! std::fs::write(&notes, "a ball fell")?;
 //! let outputs = Outputs::new([&notes], false);
 //!
 //! // An input is never replaced, by whatever name, nor is what something else wrote.
-//! assert!(outputs.write(&notes, "made by me", b"").is_err());
+//! assert!(outputs.write(&notes, MINE, b"").is_err());
 //!
 //! let report = folder.path().join("report.txt");
-//! outputs.write(&report, "made by me", b"made by me: first")?;
-//! outputs.write(&report, "made by me", b"made by me: second")?;
+//! outputs.write(&report, MINE, b"made by me: first")?;
+//! outputs.write(&report, MINE, b"made by me: second")?;
 //! assert_eq!(std::fs::read(&report)?, b"made by me: second");
 //! # Ok::<(), std::io::Error>(())
 //! ```
 
 use std::collections::HashSet;
 use std::fs::{self, File};
-use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use file_id::FileId;
 use tempfile::NamedTempFile;
 
-/// So much at each end of a file is searched for its mark.
-const ENDS: u64 = 4096;
+use crate::mark::Mark;
 
 /// The content of a file that a person wrote: at most so many MB, and no device or pipe, which may have no end.
 ///
@@ -99,14 +100,13 @@ impl Outputs {
         Self { option, ..self }
     }
 
-    /// Whether a file may be written; one that is there must have the mark within 4 kB of one of its ends, or begin
-    /// with it if a `^` is in front of it. Without a mark no file is replaced.
+    /// Whether a file may be written; one that is there must have the mark.
     ///
     /// # Errors
     /// [`io::ErrorKind::AlreadyExists`] if it may not be replaced, [`io::ErrorKind::IsADirectory`] if a
     /// folder has the name, [`io::ErrorKind::InvalidInput`] if a device or a pipe has it, and what the
     /// system reports if it cannot be read.
-    pub fn check(&self, path: &Path, mark: &str) -> io::Result<()> {
+    pub fn check(&self, path: &Path, mark: Mark) -> io::Result<()> {
         let about = match fs::metadata(path) {
             Err(reason) if is_absent(&reason) => return Ok(()),
             about => about?,
@@ -121,7 +121,7 @@ impl Outputs {
             return Err(io::Error::new(io::ErrorKind::InvalidInput, reason));
         }
         self.check_no_input(path)?;
-        if self.force || about.len() == 0 || has_mark(path, mark)? {
+        if self.force || about.len() == 0 || mark.is_in(&File::open(path)?)? {
             return Ok(());
         }
         let option = self.option;
@@ -152,7 +152,7 @@ impl Outputs {
     /// # Errors
     /// Those of [`Self::check`], and what the system reports if there is no such folder or it cannot be
     /// written into.
-    pub fn draft(&self, path: &Path, mark: &str) -> io::Result<Draft> {
+    pub fn draft(&self, path: &Path, mark: Mark) -> io::Result<Draft> {
         self.check(path, mark)?;
         Draft::new(path)
     }
@@ -161,7 +161,7 @@ impl Outputs {
     ///
     /// # Errors
     /// Those of [`Self::draft`] and [`Draft::finish`].
-    pub fn write(&self, path: &Path, mark: &str, bytes: &[u8]) -> io::Result<()> {
+    pub fn write(&self, path: &Path, mark: Mark, bytes: &[u8]) -> io::Result<()> {
         if has_content(path, bytes) {
             return Ok(());
         }
@@ -177,7 +177,7 @@ impl Outputs {
     pub fn fill(
         &self,
         path: &Path,
-        mark: &str,
+        mark: Mark,
         fill: impl FnOnce(&File) -> io::Result<()>,
     ) -> io::Result<()> {
         let draft = Draft::new(path)?;
@@ -207,27 +207,6 @@ fn is_absent(reason: &io::Error) -> bool {
         reason.kind(),
         io::ErrorKind::NotFound | io::ErrorKind::NotADirectory
     )
-}
-
-fn has_mark(path: &Path, mark: &str) -> io::Result<bool> {
-    if mark.is_empty() {
-        return Ok(false);
-    }
-    let mut file = File::open(path)?;
-    if let Some(mark) = mark.strip_prefix('^') {
-        let mut beginning = Vec::new();
-        file.take(mark.len() as u64).read_to_end(&mut beginning)?;
-        return Ok(beginning == mark.as_bytes());
-    }
-    let length = file.metadata()?.len();
-    let mut ends = [0, length.saturating_sub(ENDS)].into_iter();
-    ends.try_fold(false, |found, start| {
-        let mut end = Vec::new();
-        file.seek(SeekFrom::Start(start))?;
-        (&file).take(ENDS).read_to_end(&mut end)?;
-        let mut windows = end.windows(mark.len());
-        Ok(found || windows.any(|window| window == mark.as_bytes()))
-    })
 }
 
 fn has_content(path: &Path, bytes: &[u8]) -> bool {
@@ -375,7 +354,7 @@ pub fn remove_drafts(folder: &Path) -> io::Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mark::MARKDOWN;
+    use crate::mark::{COMMENT, MARKDOWN};
 
     const CONTENT: &[u8] = b"<!-- made by bouncelab -->, and more";
 
@@ -402,24 +381,11 @@ mod tests {
         Outputs::default()
             .write(&path, MARKDOWN, b"<!-- made by bouncelab --> again")
             .unwrap();
-        assert!(Outputs::default().write(&path, "", b"no mark").is_err());
-    }
-
-    #[test]
-    fn the_mark_is_where_the_format_has_it() {
-        const FIRST: &str = "^<!-- made by bouncelab -->";
-        let long = [&[b'x'; 10_000][..], CONTENT].concat();
-        for (content, mark, own) in [
-            (long.clone(), MARKDOWN, true),
-            (CONTENT.repeat(1_000), MARKDOWN, true),
-            (vec![b'x'; 9_000], MARKDOWN, false),
-            (CONTENT.repeat(1_000), FIRST, true),
-            ([b" ", CONTENT].concat(), FIRST, false),
-            (long, FIRST, false),
-        ] {
-            let (_folder, path) = place(&content);
-            assert_eq!(Outputs::default().check(&path, mark).is_ok(), own);
-        }
+        assert!(
+            Outputs::default()
+                .write(&path, Mark::NONE, b"no mark")
+                .is_err()
+        );
     }
 
     #[cfg(unix)]
@@ -440,7 +406,7 @@ mod tests {
                 at("./file.md"),
             ] {
                 let refusal = outputs
-                    .write(&output, MARKDOWN, MARKDOWN.as_bytes())
+                    .write(&output, MARKDOWN, COMMENT.as_bytes())
                     .unwrap_err();
                 assert!(refusal.to_string().contains("input"), "{refusal}");
             }

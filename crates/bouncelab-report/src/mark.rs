@@ -1,24 +1,141 @@
-//! The mark of figures and reports, where it is not seen: files that have it may be replaced.
+//! By what files of bouncelab are known, which may be replaced.
 //!
-//! Each kind of file has it at a place of its own, so that a text about bouncelab is not taken for one of its
-//! files: a mark with a `^` in front is the beginning of the file, another is near one of its ends.
+//! Each kind of file has its mark where it is not seen, and at a place of its own, so that a text about bouncelab is
+//! not taken for one of its files.
 
-/// What the mark says.
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom};
+
+/// By what the files of one kind are known.
+///
+/// ```
+/// use bouncelab_report::mark::Mark;
+///
+/// // A table that begins with two columns and has a third.
+/// const TABLE: Mark = Mark::first("drop,impact,").and_near_an_end(",restitution,");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Mark {
+    first: &'static str,
+    near_an_end: &'static str,
+}
+
+/// So much at each end of a file is searched.
+const ENDS: u64 = 4096;
+
+impl Mark {
+    /// That of no file: none is replaced unasked.
+    pub const NONE: Self = Self::first("");
+
+    /// How the file begins.
+    pub const fn first(text: &'static str) -> Self {
+        Self {
+            first: text,
+            near_an_end: "",
+        }
+    }
+
+    /// What stands within 4 kB of one of its ends.
+    pub const fn near_an_end(text: &'static str) -> Self {
+        Self::NONE.and_near_an_end(text)
+    }
+
+    /// The same, of files that have this within 4 kB of one of their ends too.
+    #[must_use]
+    pub const fn and_near_an_end(self, text: &'static str) -> Self {
+        Self {
+            near_an_end: text,
+            ..self
+        }
+    }
+
+    /// Whether a file has it.
+    pub(crate) fn is_in(self, file: &File) -> io::Result<bool> {
+        if self == Self::NONE {
+            return Ok(false);
+        }
+        let length = file.metadata()?.len();
+        let beginning = part(file, 0)?;
+        let end = part(file, length.saturating_sub(ENDS))?;
+        Ok(beginning.starts_with(self.first.as_bytes())
+            && [beginning, end]
+                .iter()
+                .any(|part| holds(part, self.near_an_end.as_bytes())))
+    }
+}
+
+/// What stands in a file from a place on, 4 kB at most.
+fn part(mut file: &File, start: u64) -> io::Result<Vec<u8>> {
+    let mut part = Vec::new();
+    file.seek(SeekFrom::Start(start))?;
+    file.take(ENDS).read_to_end(&mut part)?;
+    Ok(part)
+}
+
+fn holds(part: &[u8], text: &[u8]) -> bool {
+    text.is_empty() || part.windows(text.len()).any(|window| window == text)
+}
+
+/// What most marks say.
 pub(crate) const MARK: &str = "made by bouncelab";
 
-/// In a page.
-pub const HTML: &str = r#"<meta name="generator" content="made by bouncelab"#;
-/// In a report for a notebook.
-pub const MARKDOWN: &str = "<!-- made by bouncelab -->";
-/// In a figure.
-pub const SVG: &str = "<metadata>made by bouncelab</metadata>";
-/// In a picture.
-pub const PNG: &str = "tEXtSoftware\0made by bouncelab";
-/// In a figure for print.
-pub const PDF: &str = "/Producer (made by bouncelab)";
-/// In the data of a figure.
-pub const DATA: &str = "^panel,x_axis,y_axis,layer,kind,";
-/// In a figure, by the ending of its file.
-pub const FIGURES: [(&str, &str); 3] = [("svg", SVG), ("png", PNG), ("pdf", PDF)];
+/// A comment in a report for a notebook.
+pub(crate) const COMMENT: &str = "<!-- made by bouncelab -->";
 /// The first line of a page of the manual.
-pub const MANUAL: &str = ".\\\" made by bouncelab";
+pub const MANUAL_LINE: &str = ".\\\" made by bouncelab";
+
+/// That of a page.
+pub const HTML: Mark = Mark::near_an_end(r#"<meta name="generator" content="made by bouncelab"#);
+/// That of a report for a notebook.
+pub const MARKDOWN: Mark = Mark::near_an_end(COMMENT);
+/// That of a figure.
+pub const SVG: Mark = Mark::near_an_end("<metadata>made by bouncelab</metadata>");
+/// That of a picture.
+pub const PNG: Mark = Mark::near_an_end("tEXtSoftware\0made by bouncelab");
+/// That of a figure for print.
+pub const PDF: Mark = Mark::near_an_end("/Producer (made by bouncelab)");
+/// That of the data of a figure.
+pub const DATA: Mark = Mark::first("panel,x_axis,y_axis,layer,kind,");
+/// Those of figures, by the ending of the file.
+pub const FIGURES: [(&str, Mark); 3] = [("svg", SVG), ("png", PNG), ("pdf", PDF)];
+/// That of a page of the manual.
+pub const MANUAL: Mark = Mark::first(MANUAL_LINE);
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write;
+
+    use super::*;
+
+    #[test]
+    fn the_mark_is_where_the_format_has_it() {
+        const FIRST: Mark = Mark::first("recording,drop,");
+        const BOTH: Mark = FIRST.and_near_an_end(",restitution_sd,");
+        let table = b"recording,drop,height,restitution_sd,remarks\n".to_vec();
+        let long = [table.clone(), vec![b'x'; 10_000]].concat();
+        for (content, mark, own) in [
+            (table.clone(), FIRST, true),
+            (table.clone(), BOTH, true),
+            (long, BOTH, true),
+            (b"recording,drop,time".to_vec(), BOTH, false),
+            ([b" ", &table[..]].concat(), FIRST, false),
+            (table, Mark::NONE, false),
+            (
+                [&[b'x'; 9_000][..], COMMENT.as_bytes()].concat(),
+                MARKDOWN,
+                true,
+            ),
+            (
+                [COMMENT.as_bytes(), &[b'x'; 9_000]].concat(),
+                MARKDOWN,
+                true,
+            ),
+            (vec![b'x'; 9_000], MARKDOWN, false),
+            (b"made by bouncelab".to_vec(), MARKDOWN, false),
+        ] {
+            let mut file = tempfile::tempfile().unwrap();
+            file.write_all(&content).unwrap();
+            assert_eq!(mark.is_in(&file).unwrap(), own, "{mark:?}");
+        }
+    }
+}

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::chart::Chart;
 use crate::error::{Error, Result};
 use crate::file::{Outputs, create_folder};
-use crate::mark;
+use crate::mark::{self, Mark};
 
 /// Width of a saved picture in pixels: sharp on a page, and small enough to send.
 const PICTURE_WIDTH_PX: u32 = 1600;
@@ -43,7 +43,7 @@ pub fn save(chart: &Chart, folder: &Path, name: &str, outputs: &Outputs) -> Resu
         folder: folder.to_owned(),
         source,
     })?;
-    let written = |ending: &str, mark: &str, bytes: &[u8]| {
+    let written = |ending: &str, mark: Mark, bytes: &[u8]| {
         let path = folder.join(format!("{name}.{ending}"));
         match outputs.write(&path, mark, bytes) {
             Ok(()) => Ok(path),

@@ -5,13 +5,14 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use bouncelab_report::file::{Draft, Outputs, remove_drafts};
+use bouncelab_report::mark::Mark;
 
 fn draft(path: &Path) -> io::Result<Draft> {
-    Outputs::new([""; 0], true).draft(path, "")
+    Outputs::new([""; 0], true).draft(path, Mark::NONE)
 }
 
 fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    Outputs::new([""; 0], true).write(path, "", bytes)
+    Outputs::new([""; 0], true).write(path, Mark::NONE, bytes)
 }
 
 fn names(folder: &Path) -> Vec<String> {

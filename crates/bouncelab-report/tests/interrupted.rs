@@ -5,16 +5,19 @@ use std::fs;
 use std::io::Write;
 
 use bouncelab_report::file::{Outputs, abandon_drafts};
+use bouncelab_report::mark::Mark;
 
 #[test]
 fn an_interrupted_program_takes_its_drafts_along() {
     let folder = tempfile::tempdir().unwrap();
     let outputs = Outputs::default();
     outputs
-        .write(&folder.path().join("whole.csv"), "", b"whole")
+        .write(&folder.path().join("whole.csv"), Mark::NONE, b"whole")
         .unwrap();
     let drafts = ["a.csv", "b.csv"].map(|name| {
-        let draft = outputs.draft(&folder.path().join(name), "").unwrap();
+        let draft = outputs
+            .draft(&folder.path().join(name), Mark::NONE)
+            .unwrap();
         draft.file().write_all(b"half").unwrap();
         draft
     });

@@ -6,13 +6,14 @@ use std::collections::BTreeMap;
 
 use bouncelab::groups::{Difference, Factor, Group, Outlier, Study, Trend, VarianceComponent};
 use bouncelab_report::groups::{About, GroupStudy};
+use bouncelab_report::mark::Mark;
 use serde::Serialize;
 
 /// Name and version of the schema.
 pub const SCHEMA: &str = "bouncelab.session/2";
 
 /// The mark of its file: how it begins.
-pub const DOCUMENT_MARK: &str = "^{\n  \"schema\": \"bouncelab.session/2\",";
+pub const DOCUMENT_MARK: Mark = Mark::first("{\n  \"schema\": \"bouncelab.session/2\",");
 
 /// What a session says.
 #[derive(Debug, Clone, Serialize)]

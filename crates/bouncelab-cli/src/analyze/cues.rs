@@ -6,11 +6,12 @@ use std::path::Path;
 use bouncelab_audio::{Cue, Error, Input, copy_with_cues};
 use bouncelab_report::document::labels::{Label, labels};
 use bouncelab_report::file::Outputs;
+use bouncelab_report::mark::Mark;
 
 use super::read::Analysed;
 use crate::failure::Failure;
 use crate::language::text_with;
-use crate::report::{NO_MARK, wrote};
+use crate::report::wrote;
 
 /// Writes the sound of a recording as a WAV file of 32-bit floats, in which every sample is as it was, with a marker
 /// at each impact.
@@ -26,7 +27,7 @@ pub(super) fn write_cues(
     };
     let cue = |Label { time_s, text }| Cue { time_s, text };
     let cues: Vec<Cue> = labels(&analysed.result).into_iter().map(cue).collect();
-    let written = outputs.fill(target, NO_MARK, |copy| {
+    let written = outputs.fill(target, Mark::NONE, |copy| {
         copy_with_cues(&mut source, copy, &cues).map_err(|fault| match fault {
             Error::Io { source, .. } => source,
             fault => io::Error::other(fault),

@@ -7,7 +7,7 @@ use bouncelab::Plain;
 
 use super::page::{Block, Language, Page, Section};
 use crate::chart::Chart;
-use crate::mark;
+use crate::mark::COMMENT;
 use crate::table::{Align, Table};
 
 /// A page as Markdown, and the drawings it shows.
@@ -44,7 +44,7 @@ impl Page {
                 form.section(section, 3);
             }
         }
-        form.block(mark::MARKDOWN);
+        form.block(COMMENT);
         Markdown {
             text: form.text,
             figures: form.figures,

@@ -11,6 +11,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use bouncelab_report::file::{Draft, Outputs};
+use bouncelab_report::mark::Mark;
 
 use crate::error::{Error, Result};
 use parquet::ParquetTable;
@@ -119,11 +120,15 @@ impl Form {
     }
 
     /// The mark of every table of a session, by which it is known to be one.
-    pub const fn mark(self) -> &'static str {
+    pub const fn mark(self) -> Mark {
         match self {
-            Self::Parquet => "bouncelab.schema",
-            Self::Csv | Self::RawCsv => "^recording,drop,",
-            Self::JsonLines => "^{\"recording\":",
+            Self::Parquet => Mark::first("PAR1").and_near_an_end("bouncelab.schema"),
+            Self::Csv | Self::RawCsv => {
+                Mark::first("recording,drop,").and_near_an_end(",restitution,restitution_sd,")
+            }
+            Self::JsonLines => {
+                Mark::first("{\"recording\":").and_near_an_end(",\"restitution_sd\":")
+            }
         }
     }
 }
