@@ -6,6 +6,7 @@ import os
 import time
 
 from bouncelab import _session, batch
+from bouncelab._isolated import MEMORY
 from bouncelab.batch import kernel as sound
 
 
@@ -43,6 +44,13 @@ def fail(name: str) -> None:
 def faulty(settings: batch.Settings | None = None, *, root: str = "", isolated: bool = False) -> Faulty:
     """Return it, as :func:`bouncelab.batch.kernel` does."""
     return Faulty(*sound(settings, root=root, isolated=isolated).__reduce__()[1])
+
+
+class Greedy:
+    """Takes more memory than a child may have."""
+
+    def row(self, given: object, /) -> bytes:
+        return bytes(2 * MEMORY)[:1]
 
 
 class Process:

@@ -18,7 +18,7 @@ import bouncelab as bl  # noqa: E402
 from bouncelab import batch  # noqa: E402
 from bouncelab._isolated import child_process  # noqa: E402
 from bouncelab._program import find  # noqa: E402
-from faults import Process, faulty  # noqa: E402
+from faults import Greedy, Process, faulty  # noqa: E402
 
 PATTERN = "{surface}_{height}_{}"
 SETTINGS: batch.Settings = {"ball": "table-tennis-40", "draws": 100, "pattern": PATTERN}
@@ -214,6 +214,13 @@ def test_a_child_process_is_kept_until_it_may_owe_a_reply() -> None:
     with pytest.raises(KeyboardInterrupt), child_process(Process(), None):
         raise KeyboardInterrupt
     assert process() not in (first, this)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="memory is limited on Linux only")
+def test_a_child_that_takes_too_much_memory_ends() -> None:
+    with child_process(Greedy(), None) as child:
+        kind, reason = child.row(None)
+    assert kind == "process-died" and "SIGABRT" in reason
 
 
 def test_the_place_of_the_job_is_one_word_however_long() -> None:

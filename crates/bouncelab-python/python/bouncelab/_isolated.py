@@ -16,6 +16,9 @@ from typing import Any, Protocol, TypeAlias
 #: The row of a recording.
 Outcome: TypeAlias = "Callable[[Any], bytes]"
 
+#: Memory that a child may take beyond what it has when it begins, in bytes: that of the program.
+MEMORY = 1 << 30
+
 
 class Analyses(Protocol):
     """What analyses one recording; it can be pickled."""
@@ -137,12 +140,26 @@ def _cause(status: int) -> str:
         return f"signal {-status}"
 
 
+def _limit_memory() -> None:
+    """Limit the memory of this process, on Linux; a stricter limit of somebody else stays."""
+    if sys.platform != "linux":
+        return
+    import resource
+
+    with open("/proc/self/status", encoding="ascii") as status:
+        taken = next(int(line.split()[1]) << 10 for line in status if line.startswith("VmData:"))
+    soft, hard = resource.getrlimit(resource.RLIMIT_DATA)
+    if soft == resource.RLIM_INFINITY or soft > taken + MEMORY:
+        resource.setrlimit(resource.RLIMIT_DATA, (taken + MEMORY, hard))
+
+
 def main() -> None:
     """Analyse what comes in, until nothing comes any more."""
     replies = os.fdopen(os.dup(1), "wb")
     # Whatever else is printed must not come between the replies.
     os.dup2(2, 1)
     analyses: Analyses = pickle.load(sys.stdin.buffer)
+    _limit_memory()
     outcome: bytes | Exception | None = None
     while True:
         pickle.dump(outcome, replies)
@@ -153,6 +170,8 @@ def main() -> None:
             return
         try:
             outcome = analyses.row(given)
+        except MemoryError:
+            os.abort()
         except Exception as fault:
             outcome = fault
 
