@@ -277,7 +277,7 @@ codes! {
     NoLawWins = "no-law-wins", Info, [];
     /// Another ball explains the times much better than the one that was stated or assumed.
     OtherBallFitsBetter = "other-ball-fits-better", Warning, ["balls", "odds"];
-    /// With so little loss the ball may not come to rest.
+    /// Some of the possible restitution laws lose so little at slow impacts that the ball would not come to rest.
     NeverRests = "never-rests", Info, [];
     /// No inference was asked for.
     InferenceOff = "inference-off", Info, [];
