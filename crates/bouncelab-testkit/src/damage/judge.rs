@@ -47,31 +47,33 @@ pub fn judge(whole: &Recording, damaged: Option<&Recording>) -> Verdict {
     }
 }
 
-/// Whether every answer is within three standard uncertainties of the damaged one.
+/// Whether every answer is within three standard uncertainties of the damaged one, or is not given any more: of fewer
+/// impacts it may not be known whether the ball rests.
 fn agree(whole: &Recording, damaged: &Recording) -> bool {
     let (whole, damaged) = (numbers(whole), numbers(damaged));
-    let within = |(of_whole, of_damaged): (&Estimate, &Estimate)| {
-        (of_damaged.value - of_whole.value).abs() <= 3.0 * of_damaged.sd
+    let within = |pair: (&Option<Estimate>, &Option<Estimate>)| match pair {
+        (Some(whole), Some(damaged)) => (damaged.value - whole.value).abs() <= 3.0 * damaged.sd,
+        (_, damaged) => damaged.is_none(),
     };
     whole.len() == damaged.len() && whole.iter().zip(&damaged).all(within)
 }
 
 /// What is said of all drops.
-fn numbers(recording: &Recording) -> Vec<Estimate> {
+fn numbers(recording: &Recording) -> Vec<Option<Estimate>> {
     let of_drop =
         recording
             .drops
             .iter()
             .flat_map(|drop| match (&drop.posterior, &drop.log_linear_fit) {
                 (Ok(posterior), _) => vec![
-                    posterior.restitution,
-                    posterior.drop_height_m,
-                    posterior.total_time_s.unwrap_or(posterior.gravity_m_s2),
+                    Some(posterior.restitution),
+                    Some(posterior.drop_height_m),
+                    posterior.total_time_s,
                 ],
                 (_, Ok(fit)) => vec![
-                    fit.restitution,
-                    fit.drop_height_m,
-                    fit.total_time_s.unwrap_or(fit.drop_height_m),
+                    Some(fit.restitution),
+                    Some(fit.drop_height_m),
+                    fit.total_time_s,
                 ],
                 _ => Vec::new(),
             });
@@ -83,6 +85,7 @@ pub fn words<E>(recording: &Result<Recording, E>) -> String {
     let numbers = recording.as_ref().map_or_else(|_| Vec::new(), numbers);
     let words = numbers
         .iter()
+        .flatten()
         .map(|it| format!("{:.4} ± {:.4}", it.value, it.sd));
     words.collect::<Vec<_>>().join(", ")
 }

@@ -23,10 +23,17 @@ const MOST_BOUNCES: usize = 2000;
 /// shorter than the contact.
 const REST_M_S: f64 = 0.01;
 
+/// Below the slowest impact detected the ratio of speed lost to speed kept falls no faster than this power of the speed:
+/// that of sound waves in elastic bodies, which remain where all other losses have gone (S. C. Hunter, J. Mech. Phys.
+/// Solids 5, 162, 1957; of viscous bodies it is 1/5). A law that is extrapolated may fall to nothing.
+const FASTEST_FALL: f64 = 0.6;
+
 /// One way in which the impacts after the last one detected may go, of which the times say nothing.
 pub(super) struct Future {
     /// The ratio of speed lost to speed kept grows as the speed to minus this power, besides what the law says.
     loss_exponent: f64,
+    /// Whether the law goes on until rest, whatever it loses.
+    law_goes_on: bool,
     pub(super) rng: ChaCha8Rng,
 }
 
@@ -36,6 +43,7 @@ impl Future {
         let exponent = priors.slow_loss_exponent * sample::standard_normal(number);
         Self {
             loss_exponent: exponent.max(0.0),
+            law_goes_on: priors.slow_loss_exponent == 0.0,
             rng: ChaCha8Rng::seed_from_u64(number.into()),
         }
     }
@@ -58,6 +66,8 @@ struct Bouncing<'a> {
     /// Logarithm of the speed at the slowest impact detected, and the speed at the one that comes, m/s.
     ln_slowest: f64,
     impact: f64,
+    /// The least ratio of speed lost to speed kept at the slowest impact detected.
+    least_loss: f64,
     bounces: usize,
     /// So far.
     rest: Rest,
@@ -107,13 +117,16 @@ fn next_impacts(lanes: &mut [Option<Bouncing>; LANES]) -> Option<[Lanes<LANES>; 
         |number: fn(&Bouncing) -> f64| Lanes::of(|lane| lanes[lane].as_ref().map_or(0.0, number));
     let [impact, ln_slowest] = [of(|it| it.impact), of(|it| it.ln_slowest)];
     let [scatter, exponent] = [of(|it| it.point.scatter), of(|it| it.future.loss_exponent)];
+    let least_loss = of(|it| it.least_loss);
     Some(dispatch(
         #[inline(always)]
         || {
             let ln_impact = impact.ln();
             let (ln_e, _) = laws.ln_at_with_log_slope(ln_impact);
-            let slower = ((ln_slowest - ln_impact) * exponent).exp();
-            let lost_to_kept = ((-ln_e).exp() - 1.0) * slower;
+            let ln_slower = ln_slowest - ln_impact;
+            let by_law = (-ln_e).exp() - 1.0;
+            let least = least_loss * (ln_slower.max(0.0) * -FASTEST_FALL).exp();
+            let lost_to_kept = (by_law + (least - by_law).max(0.0)) * (ln_slower * exponent).exp();
             let expected = Lanes::all(1.0) / (lost_to_kept + 1.0);
             [expected, impact * expected * (scatter * deviations).exp()]
         },
@@ -149,6 +162,11 @@ impl<'a> Bouncing<'a> {
             }
         }
         let slowest = *state.impact_speeds.last()?;
+        let least_loss = if future.law_goes_on {
+            0.0
+        } else {
+            1.0 / point.law.at(slowest) - 1.0
+        };
         Some(Self {
             number,
             point,
@@ -156,6 +174,7 @@ impl<'a> Bouncing<'a> {
             future,
             ln_slowest: Lanes([slowest]).ln().0[0],
             impact: slowest,
+            least_loss,
             bounces: 0,
             rest: Rest {
                 time_s: state.release_to_first_s + state.first_to_last_s,
@@ -255,6 +274,28 @@ mod tests {
             assert_eq!(together, alone.collect::<Vec<_>>());
             assert_eq!(together.iter().position(Option::is_none), Some(7));
             assert_eq!(together.iter().flatten().count(), 19);
+        });
+    }
+
+    /// A law that loses nothing at rest, and so little at low speeds that the ball would bounce for ever, goes on losing as
+    /// sound waves do, but where it is to go on until rest.
+    #[test]
+    fn a_law_that_falls_to_nothing_does_not_bounce_for_ever() {
+        with_model(&impacts(), |model, vector| {
+            let mut point = model.point(vector).unwrap();
+            let mut rng = ChaCha8Rng::seed_from_u64(1);
+            let state = model.drawn_state(&point, &mut rng).unwrap();
+            point.law = Restitution::linear(1.0, 0.1).unwrap();
+            let rests = |slow_loss_exponent: f64| {
+                let priors = Priors {
+                    slow_loss_exponent,
+                    ..Priors::default()
+                };
+                let futures = (0..50).map(|number| (point, &state, Future::new(&priors, number)));
+                until_rest(model, futures).iter().flatten().count()
+            };
+            assert_eq!(rests(0.5), 50);
+            assert!(rests(0.0) < 50);
         });
     }
 
