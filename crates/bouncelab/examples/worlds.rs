@@ -73,6 +73,10 @@ impl World {
 /// recordings.
 const MOST_IMPACTS: usize = 40;
 const SHORTEST_FLIGHT_S: f64 = 0.05;
+/// A drop that goes on for so many impacts never rests.
+const MOST_BOUNCES: usize = 2000;
+/// What follows a launch as slow as this, in m/s, is a geometric series.
+const REST_M_S: f64 = 0.01;
 /// Scatter of the restitution on a rough surface.
 const ROUGH: f64 = 0.02;
 /// Fewer impacts make no drop for the listener; only a list of times may have so few.
@@ -86,6 +90,8 @@ struct Drop {
     second: (f64, usize),
     height_m: f64,
     first_impact_m_s: f64,
+    /// From the release until rest; `None` if it never rests.
+    rest_s: Option<f64>,
     /// Numbers of the impacts heard, the first 1.
     numbers: Vec<usize>,
 }
@@ -164,11 +170,12 @@ impl Drop {
             World::TwoSurfaces => ((0.01 * normal(rng)).exp(), rng.random_range(2..12)),
             _ => (1.0, usize::MAX),
         };
-        let first_impact_m_s = model.fall(height_m).ok()?.impact_speed_m_s;
+        let fall = model.fall(height_m).ok()?;
+        let first_impact_m_s = fall.impact_speed_m_s;
         let mut speed = first_impact_m_s;
-        let (mut time_s, mut missing) = (0.0, false);
+        let (mut time_s, mut missing, mut heard, mut rest_s) = (0.0, false, true, None);
         let (mut times_s, mut numbers) = (Vec::new(), Vec::new());
-        for number in 1..=most_impacts {
+        for number in 1..=MOST_BOUNCES {
             missing = match world {
                 World::Missing => rng.random::<f64>() < 0.1,
                 // In a run it goes on every other time: 10 % of all.
@@ -176,7 +183,7 @@ impl Drop {
                 _ => false,
             };
             let off = sigma_s * normal(rng);
-            if number == 1 || !missing {
+            if number == 1 || heard && !missing {
                 let heard_s = time_s * (1.0 + delay_per_s) + off;
                 // So fine a grid is none.
                 let grid_s = if world == World::Rounded { 1e-3 } else { 1e-6 };
@@ -186,12 +193,18 @@ impl Drop {
             let wild = world == World::Wild && rng.random::<f64>() < 0.03;
             let spread = if wild { 10.0 * scatter } else { scatter };
             let surface = if number >= second.1 { second.0 } else { 1.0 };
-            let kept = surface * law.at(speed) * (spread * normal(rng)).exp();
-            let flight = model.launch(speed * kept.min(1.0)).ok()?;
-            if flight.time_s() < SHORTEST_FLIGHT_S {
+            let expected = surface * law.at(speed);
+            let kept = expected * (spread * normal(rng)).exp();
+            let launch = speed * kept.min(1.0);
+            time_s += contact_s;
+            if launch < (0.5 * environment.gravity_m_s2 * contact_s).max(REST_M_S) {
+                let last_s = 2.0 * launch / environment.gravity_m_s2 / (1.0 - expected);
+                rest_s = (expected < 1.0).then_some(fall.time_s + time_s + last_s);
                 break;
             }
-            time_s += flight.time_s() + contact_s;
+            let flight = model.launch(launch).ok()?;
+            heard &= number < most_impacts && flight.time_s() >= SHORTEST_FLIGHT_S;
+            time_s += flight.time_s();
             speed = flight.impact_speed_m_s;
         }
         (times_s.len() >= FEWEST_IMPACTS.min(most_impacts)).then_some(Self {
@@ -200,6 +213,7 @@ impl Drop {
             second,
             height_m,
             first_impact_m_s,
+            rest_s,
             numbers,
         })
     }
@@ -216,14 +230,16 @@ impl Drop {
 }
 
 /// What is asked: the restitution at the speed that the inference chooses and at that of the first
-/// impact, which no flight shows, and the drop height.
-const QUANTITIES: [&str; 3] = ["e", "e of the first", "h0"];
+/// impact, which no flight shows, the drop height, and the time until rest.
+const QUANTITIES: [&str; 4] = ["e", "e of the first", "h0", "time until rest"];
+
+/// Whether the intervals of 68 and 95 % hold the truth, and the relative standard uncertainty.
+type Held = (bool, bool, f64);
 
 /// How one drop fared.
 struct Fared {
-    /// Whether the intervals of 68 and 95 % hold the truth, and the relative standard uncertainty; `None`
-    /// where no model explains the times.
-    of: Option<[(bool, bool, f64); QUANTITIES.len()]>,
+    /// Of each quantity; `None` where no model explains the times, or nothing is stated.
+    of: [Option<Held>; QUANTITIES.len()],
     converged: bool,
     numbered: bool,
 }
@@ -258,26 +274,29 @@ fn fared(world: World, drop: &Drop, laws: &[LawKind], seed: u64) -> Fared {
     let numbers = impacts.iter().map(|impact| impact.number);
     Fared {
         converged: found.as_ref().is_ok_and(|found| found.sampling.converged),
-        of: found.ok().and_then(|found| holds(drop, &found)),
+        of: found.map_or_else(|_| Default::default(), |found| holds(drop, &found)),
         numbered: numbers.eq(drop.numbers.iter().copied()),
     }
 }
 
-fn holds(drop: &Drop, found: &Posterior) -> Option<[(bool, bool, f64); QUANTITIES.len()]> {
+fn holds(drop: &Drop, found: &Posterior) -> [Option<Held>; QUANTITIES.len()] {
     let fastest = drop.first_impact_m_s;
-    let held = |estimate: Estimate, truth: f64| {
+    let held = |estimate: Option<Estimate>, truth: Option<f64>| {
+        let (estimate, truth) = estimate.zip(truth)?;
         let within = |[low, high]: [f64; 2]| low <= truth && truth <= high;
-        (
+        Some((
             within(estimate.interval68),
             within(estimate.interval95),
             estimate.sd / truth,
-        )
+        ))
     };
-    Some([
-        held(found.restitution, drop.restitution(found.at_speed_m_s)),
-        held(found.restitution_at(fastest)?, drop.law.at(fastest)),
-        held(found.drop_height_m, drop.height_m),
-    ])
+    let restitution = drop.restitution(found.at_speed_m_s);
+    [
+        held(Some(found.restitution), Some(restitution)),
+        held(found.restitution_at(fastest), Some(drop.law.at(fastest))),
+        held(Some(found.drop_height_m), Some(drop.height_m)),
+        held(found.total_time_s, drop.rest_s),
+    ]
 }
 
 /// All drops of a world, on all cores.
@@ -306,9 +325,8 @@ fn run(world: World, laws: &[LawKind], drops: usize, most_impacts: usize) -> Vec
 }
 
 fn report(name: &str, all: &[Fared]) {
-    let count = |test: fn(&Fared) -> bool| all.iter().filter(|fared| test(fared)).count();
     for (place, quantity) in QUANTITIES.iter().enumerate() {
-        let of = all.iter().filter_map(|fared| Some(fared.of?[place]));
+        let of = all.iter().filter_map(|fared| fared.of[place]);
         let mut sds: Vec<f64> = of.clone().map(|(.., sd)| sd).collect();
         sds.sort_by(f64::total_cmp);
         let percent = |held: usize| 100.0 * held as f64 / sds.len() as f64;
@@ -318,9 +336,11 @@ fn report(name: &str, all: &[Fared]) {
             percent(of.clone().filter(|held| held.0).count()),
             percent(of.filter(|held| held.1).count()),
             100.0 * sds.get(sds.len() / 2).copied().unwrap_or(f64::NAN),
-            count(|fared| fared.of.is_none()),
-            count(|fared| fared.of.is_some() && !fared.converged),
-            count(|fared| !fared.numbered),
+            all.len() - sds.len(),
+            all.iter()
+                .filter(|fared| fared.of[place].is_some() && !fared.converged)
+                .count(),
+            all.iter().filter(|fared| !fared.numbered).count(),
         );
     }
 }
