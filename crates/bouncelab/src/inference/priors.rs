@@ -62,7 +62,8 @@ pub struct Priors {
     /// Losses of speed below the slowest impact detected, on which only time and path until rest depend. Laws of contact
     /// let them shrink with the speed; what the laws leave out (adhesion, roughness, the weight during contact) takes the
     /// more, the slower the ball is. With a probability of one half the law goes on, else the ratio of speed lost to speed
-    /// kept grows as v^-k besides, with k half-normal of this scale.
+    /// kept grows as v^-k besides, with k half-normal of this scale; nor does that of the law fall faster than v^(3/5), as
+    /// losses to sound waves in the bodies. With 0 the law goes on until rest.
     pub slow_loss_exponent: f64,
 }
 
