@@ -125,9 +125,8 @@ def engine(kind: type[Spark] | type[Ray], count: int, workers: int = 2) -> None:
         processors = sum(by_role.values())
         print(f"{kind.__name__}, {workers} workers: {count} recordings, {count / seconds:.1f} files/s")
         print(f"processor time of cluster and driver: {processors:.1f} s, {1000 * processors / count:.1f} ms a recording")
-        kernel = fmean(alone)
         print(f"the kernel alone: {alone[0]:.1f} ms before, {alone[1]:.1f} ms after;", end=" ")
-        print(f"the engine adds {100 * (1000 * processors / count / kernel - 1):.1f} %")
+        print(f"the engine adds {100 * (1000 * processors / count / fmean(alone) - 1):.1f} %")
         for role, used in sorted(by_role.items(), key=lambda item: -item[1]):
             print(f"  {role}: {1000 * used / count:.2f} ms")
         quarters = [max(memory[i * len(memory) // 4 : (i + 1) * len(memory) // 4]) for i in range(4)]
@@ -165,11 +164,11 @@ def _session(source: Path) -> Path:
 def _alone(source: Path, workers: int) -> float:
     """Processor time of the kernel alone for each of at most 2,000 of the recordings, in ms."""
     given = parquet.read_table(listed(source), columns=["path"])
-    given = given.take(list(range(0, given.num_rows, -(-given.num_rows // 2000))))
+    chosen = range(0, given.num_rows, -(-given.num_rows // 2000))
+    parts = [given.take(list(chosen[first::workers])) for first in range(workers)]
     with ProcessPoolExecutor(workers, get_context("spawn")) as pool:
-        parts = [given.take(list(range(first, given.num_rows, workers))) for first in range(workers)]
         seconds = sum(pool.map(_analyzed, [source] * workers, parts))
-    return 1000 * seconds / given.num_rows
+    return 1000 * seconds / len(chosen)
 
 
 def _analyzed(source: Path, given: pyarrow.Table, memory: list[float] | None = None) -> float:

@@ -119,6 +119,9 @@ mod tests {
             (long, BOTH, true),
             (b"recording,drop,time".to_vec(), BOTH, false),
             ([b" ", &table[..]].concat(), FIRST, false),
+            ([&[b'x'; 9_000], &table[..]].concat(), FIRST, false),
+            (table.repeat(1_000), FIRST, true),
+            (COMMENT.repeat(1_000).into_bytes(), MARKDOWN, true),
             (table, Mark::NONE, false),
             (
                 [&[b'x'; 9_000][..], COMMENT.as_bytes()].concat(),

@@ -16,7 +16,13 @@ def main() -> None:
     """Analyse a folder of recordings on the cluster of ``spark-submit``."""
     # The usual formatter would break a long place into two lines, which are two words of a command.
     raw = argparse.RawDescriptionHelpFormatter
-    parser = argparse.ArgumentParser(prog="spark_job.py", description=main.__doc__, formatter_class=raw)
+    parser = argparse.ArgumentParser(
+        prog="spark_job.py",
+        description=main.__doc__,
+        formatter_class=raw,
+        # What is not stated is left to bouncelab.spark.analyze.
+        argument_default=argparse.SUPPRESS,
+    )
     parser.add_argument("--place", action="version", version=str(Path(__file__).resolve()), help="where this is")
     parser.add_argument("source", help="folder of recordings, or whatever else Spark reads")
     parser.add_argument("output", help="folder for the rows")
@@ -28,7 +34,7 @@ def main() -> None:
     parser.add_argument("--with-content", action=argparse.BooleanOptionalAction, help="whether Spark reads the files")
     parser.add_argument("--files-per-trigger", type=int, help="as of bouncelab.spark.analyze")
     parser.add_argument("--files-per-task", type=int, help="as of bouncelab.spark.analyze")
-    asked = {name: value for name, value in vars(parser.parse_args()).items() if value is not None}
+    asked = vars(parser.parse_args())
     file, notes = asked.pop("settings", None), asked.pop("notes", None)
     settings: Any = json.loads(file.read_text()) if file else {}
     settings |= {name: asked.pop(name) for name in ("ball", "pattern") if name in asked}
