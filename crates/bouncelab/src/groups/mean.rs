@@ -185,7 +185,7 @@ fn between_variance(drops: &[Measured], scale: f64) -> f64 {
 }
 
 /// The place of the maximum in an interval with one hill, by golden section.
-pub(super) fn climb([mut low, mut high]: [f64; 2], height: impl Fn(f64) -> f64) -> f64 {
+fn climb([mut low, mut high]: [f64; 2], height: impl Fn(f64) -> f64) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     const STEPS: usize = 60;
     let (mut left, mut right) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
@@ -223,7 +223,7 @@ fn q_profile(drops: &[Measured], scale: f64) -> [f64; 2] {
         while q(high) > target && high < f64::MAX / 4.0 {
             high *= 4.0;
         }
-        for _ in 0..200 {
+        while high - low > 1e-12 * high {
             let middle = f64::midpoint(low, high);
             if q(middle) > target {
                 low = middle;

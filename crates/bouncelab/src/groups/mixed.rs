@@ -1,12 +1,12 @@
 //! Variance components of several crossed factors.
 
-use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use nalgebra::{Cholesky, DMatrix, DVector};
 
-use super::mean::{check, climb};
 use super::quantile::{chi_squared, interval95};
+use super::reml::{Design, Fit};
 use crate::error::{Error, InferenceFailure, Result};
 use crate::inference::Measured;
-use crate::stats::{mean, sd};
+use crate::stats::mean;
 
 /// Something noted of each drop that takes a few values: the ball, the surface, the operator.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -46,36 +46,20 @@ pub struct Component {
 #[derive(Debug, Clone)]
 pub struct Mixed {
     design: Design,
-    /// Standard deviations: of the drops, then of the random factors.
-    sds: Vec<f64>,
+    /// Of the drops, then of the random factors.
+    variances: Vec<f64>,
     fit: Fit,
+    /// `None` where the values do not tell how well the variances are known.
+    doubt: Option<Doubt>,
 }
 
-/// The drops in the form in which the likelihood needs them.
+/// How much the variances are in doubt.
 #[derive(Debug, Clone)]
-struct Design {
-    values: Vec<f64>,
-    own_variances: Vec<f64>,
-    /// For each drop what of which fixed effect it has.
-    fixed: Vec<Vec<(usize, f64)>>,
-    fixed_effects: usize,
-    /// For each drop the columns of its random levels, with the random factor of each.
-    columns: Vec<Vec<(usize, usize)>>,
-    column_count: usize,
-    random_factors: usize,
-    /// A length within which all standard deviations lie.
-    scale: f64,
-    /// Subtracted from the values, so that sums of squares keep their digits.
-    origin: f64,
-}
-
-/// What the likelihood says for given variances.
-#[derive(Debug, Clone)]
-struct Fit {
-    log_likelihood: f64,
-    /// Of the fixed effects: means of levels, or mean and slope.
-    effects: DVector<f64>,
+struct Doubt {
+    /// Covariance of their logarithms, of those that do not stand at zero.
     covariance: DMatrix<f64>,
+    /// How the covariance of the fixed effects answers to each.
+    answers: Vec<DMatrix<f64>>,
 }
 
 impl Mixed {
@@ -107,9 +91,8 @@ impl Mixed {
     ) -> Result<Self> {
         let levels = fixed.map_or(1, |factor| factors[factor].levels.len());
         let level = |drop: &Drop| fixed.map_or(Some(0), |factor| drop.levels[factor]);
-        let effects = |(_, drop): (usize, &Drop)| Some(vec![(level(drop)?, 1.0)]);
-        let effects = drops.iter().enumerate().map(effects).collect();
-        Self::climbed(Design::new(drops, factors, effects, levels, random)?)
+        let effects = drops.iter().map(|drop| Some(vec![(level(drop)?, 1.0)]));
+        Self::greatest(Design::new(drops, factors, effects, levels, random)?)
     }
 
     /// Fits the model with a straight line: each drop stands at an amount, those without one are left
@@ -128,7 +111,7 @@ impl Mixed {
         let middle = mean(&known);
         let effects = amounts.iter();
         let effects = effects.map(|amount| Some(vec![(0, 1.0), (1, (*amount)? - middle)]));
-        Self::climbed(Design::new(drops, factors, effects.collect(), 2, random)?)
+        Self::greatest(Design::new(drops, factors, effects, 2, random)?)
     }
 
     /// How much the value of a line grows for each unit of the amount, its standard error, and the
@@ -137,18 +120,21 @@ impl Mixed {
         self.contrast(&DVector::from_vec(vec![0.0, 1.0]))
     }
 
-    fn climbed(design: Design) -> Result<Self> {
-        let mut sds = vec![design.scale / 4.0; 1 + design.random_factors];
-        design.climb_all(&mut sds, None, 40);
-        let fit = design
-            .fit(&sds)
+    fn greatest(design: Design) -> Result<Self> {
+        let (variances, fit) = design
+            .greatest()
             .ok_or(Error::CannotInfer(InferenceFailure::Confounded))?;
-        Ok(Self { design, sds, fit })
+        Ok(Self {
+            doubt: Doubt::of(&design, &variances),
+            design,
+            variances,
+            fit,
+        })
     }
 
     /// How many drops it is of.
     pub fn drops(&self) -> usize {
-        self.design.values.len()
+        self.design.drops()
     }
 
     /// The mean of a level of the fixed factor, with its standard error.
@@ -161,7 +147,7 @@ impl Mixed {
 
     /// The 95 % interval of the mean of a level.
     pub fn mean95(&self, level: usize) -> [f64; 2] {
-        let mut contrast = DVector::zeros(self.design.fixed_effects);
+        let mut contrast = DVector::zeros(self.design.fixed_effects());
         contrast[level] = 1.0;
         interval95(self.mean(level), self.degrees(&contrast))
     }
@@ -169,7 +155,7 @@ impl Mixed {
     /// Mean of level `a` less mean of level `b`, its standard error, and the degrees of freedom of
     /// that.
     pub(super) fn difference(&self, a: usize, b: usize) -> (Measured, f64) {
-        let mut contrast = DVector::zeros(self.design.fixed_effects);
+        let mut contrast = DVector::zeros(self.design.fixed_effects());
         contrast[a] = 1.0;
         contrast[b] = -1.0;
         self.contrast(&contrast)
@@ -178,7 +164,7 @@ impl Mixed {
     fn contrast(&self, contrast: &DVector<f64>) -> (Measured, f64) {
         let measured = Measured {
             value: contrast.dot(&self.fit.effects),
-            sd: contrast.dot(&(&self.fit.covariance * contrast)).sqrt(),
+            sd: variance(&self.fit.covariance, contrast).sqrt(),
         };
         (measured, self.degrees(contrast))
     }
@@ -195,7 +181,7 @@ impl Mixed {
 
     fn component(&self, place: usize) -> Component {
         Component {
-            sd: self.sds[place],
+            sd: self.variances[place].sqrt(),
             sd95: self.profile(place),
         }
     }
@@ -205,256 +191,122 @@ impl Mixed {
     fn profile(&self, place: usize) -> Option<[f64; 2]> {
         /// Beyond so many times the spread of the values no variance makes sense.
         const FARTHEST: f64 = 100.0;
+        /// Where a best of zero begins to be left, as a part of the spread.
+        const NEAREST: f64 = 1e-3;
+        /// So far below the cut no height is told from another.
+        const DEEP: f64 = -10.0;
         let cut = self.fit.log_likelihood - 0.5 * chi_squared(0.95, 1.0);
-        let within = |sd: f64| {
-            let mut sds = self.sds.clone();
-            sds[place] = sd;
-            let height = self.design.climb_all(&mut sds, Some(place), 4);
-            height >= cut
+        let above = |sd: f64| {
+            let mut variances = self.variances.clone();
+            variances[place] = sd * sd;
+            let best = self.design.climb(variances, Some(place));
+            best.map_or(DEEP, |(_, fit)| (fit.log_likelihood - cut).max(DEEP))
         };
-        let high = self.design.scale * FARTHEST;
-        if within(high) {
+        let farthest = self.design.scale * FARTHEST;
+        let at_farthest = above(farthest);
+        if at_farthest >= 0.0 {
             return None;
         }
-        let best = self.sds[place];
-        let low = if within(0.0) {
+        let best = self.variances[place].sqrt();
+        let top = (best, self.fit.log_likelihood - cut);
+        let zero = (0.0, above(0.0));
+        let low = if zero.1 >= 0.0 {
             0.0
         } else {
-            bisect(0.0, best, |sd| !within(sd))
+            crossing(zero, top, above)
         };
-        Some([low, bisect(best, high, within)])
+        let mut inside = top;
+        let mut outside = (farthest, at_farthest);
+        let mut next = (2.0 * best).max(NEAREST * self.design.scale);
+        while next < farthest {
+            let found = (next, above(next));
+            if found.1 < 0.0 {
+                outside = found;
+                break;
+            }
+            inside = found;
+            next *= 2.0;
+        }
+        Some([low, crossing(inside, outside, above)])
     }
 
     /// Degrees of freedom of a contrast of the means (Satterthwaite 1946; Giesbrecht and Burns
     /// 1985): from how its variance answers to the variance components, and how well those are known.
     fn degrees(&self, contrast: &DVector<f64>) -> f64 {
-        let most = (self.design.values.len() - self.design.fixed_effects) as f64;
-        let variance_of = |variances: &[f64]| {
-            let sds: Vec<f64> = variances.iter().map(|v| v.max(0.0).sqrt()).collect();
-            let fit = self.design.fit(&sds)?;
-            Some((
-                contrast.dot(&(&fit.covariance * contrast)),
-                fit.log_likelihood,
-            ))
-        };
-        self.satterthwaite(variance_of)
+        let most = (self.drops() - self.design.fixed_effects()) as f64;
+        let known = self.doubt.as_ref().map(|doubt| {
+            let answers = doubt
+                .answers
+                .iter()
+                .map(|answer| variance(answer, contrast));
+            let answers = DVector::from_iterator(doubt.answers.len(), answers);
+            2.0 * variance(&self.fit.covariance, contrast).powi(2)
+                / variance(&doubt.covariance, &answers)
+        });
+        known
+            .filter(|degrees| *degrees > 0.0)
             .unwrap_or(most)
             .clamp(1.0, most)
     }
+}
 
-    fn satterthwaite(&self, variance_of: impl Fn(&[f64]) -> Option<(f64, f64)>) -> Option<f64> {
+impl Doubt {
+    /// By small changes of each variance.
+    fn of(design: &Design, variances: &[f64]) -> Option<Self> {
         /// A component this far below the largest stands at zero and is not counted.
         const NONE: f64 = 1e-6;
         const STEP: f64 = 0.02;
-        let variances: Vec<f64> = self.sds.iter().map(|sd| sd * sd).collect();
         let largest = variances.iter().copied().fold(0.0, f64::max);
         let free: Vec<usize> = (0..variances.len())
             .filter(|&place| variances[place] > NONE * largest)
             .collect();
-        let moved = |moves: &[(usize, f64)]| {
-            let mut variances = variances.clone();
-            for &(place, share) in moves {
-                variances[place] *= 1.0 + share;
-            }
-            variance_of(&variances)
-        };
-        let (variance, height) = variance_of(&variances)?;
-        // In units of each variance.
-        let mut gradient = DVector::zeros(free.len());
         let mut information = DMatrix::zeros(free.len(), free.len());
-        for (i, &a) in free.iter().enumerate() {
-            let (more, less) = (moved(&[(a, STEP)])?, moved(&[(a, -STEP)])?);
-            gradient[i] = (more.0 - less.0) / (2.0 * STEP);
-            information[(i, i)] = (2.0 * height - more.1 - less.1) / (STEP * STEP);
-            for (j, &b) in free.iter().enumerate().take(i) {
-                let both = |s: f64, t: f64| Some(moved(&[(a, s * STEP), (b, t * STEP)])?.1);
-                let mixed =
-                    both(1.0, 1.0)? - both(1.0, -1.0)? - both(-1.0, 1.0)? + both(-1.0, -1.0)?;
-                let second = -mixed / (4.0 * STEP * STEP);
-                information[(i, j)] = second;
-                information[(j, i)] = second;
+        let mut answers = Vec::with_capacity(free.len());
+        for (row, &place) in free.iter().enumerate() {
+            let moved = |share: f64| {
+                let mut variances = variances.to_vec();
+                variances[place] *= 1.0 + share;
+                design.fit(&variances)
+            };
+            let (more, less) = (moved(STEP)?, moved(-STEP)?);
+            answers.push((more.covariance - less.covariance) / (2.0 * STEP));
+            let bend = (less.score - more.score) / (2.0 * STEP);
+            for (column, &other) in free.iter().enumerate() {
+                information[(row, column)] = bend[other] * variances[other];
             }
         }
         let covariance = Cholesky::new(information)?.inverse();
-        let uncertainty = gradient.dot(&(covariance * &gradient));
-        (uncertainty > 0.0).then(|| 2.0 * variance * variance / uncertainty)
+        Some(Self {
+            covariance,
+            answers,
+        })
     }
 }
 
-/// The place between `from`, where it holds, and `to`, where it does not.
-fn bisect(mut from: f64, mut to: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    const STEPS: usize = 18;
+/// The variance of a contrast of values with a covariance.
+fn variance(covariance: &DMatrix<f64>, contrast: &DVector<f64>) -> f64 {
+    contrast.dot(&(covariance * contrast))
+}
+
+/// The place between two others at which a function is zero, which is above zero at one of them and below at the
+/// other: by secants, of which the end that stays counts half (M. Dowell and P. Jarratt, BIT 11, 168, 1971).
+fn crossing(mut one: (f64, f64), mut other: (f64, f64), function: impl Fn(f64) -> f64) -> f64 {
+    const NEAR: f64 = 1e-6;
+    const STEPS: usize = 60;
     for _ in 0..STEPS {
-        let middle = f64::midpoint(from, to);
-        // In proportion, as soon as both ends are on the same side of zero.
-        let middle = if from > 0.0 && to > 4.0 * from {
-            (from * to).sqrt()
+        let place = (one.0 * other.1 - other.0 * one.1) / (other.1 - one.1);
+        let found = (place, function(place));
+        if found.1.abs() < NEAR {
+            return place;
+        }
+        if (found.1 < 0.0) == (other.1 < 0.0) {
+            one.1 *= 0.5;
         } else {
-            middle
-        };
-        if holds(middle) {
-            from = middle;
-        } else {
-            to = middle;
+            one = other;
         }
+        other = found;
     }
-    f64::midpoint(from, to)
-}
-
-impl Design {
-    fn new(
-        drops: &[Drop],
-        factors: &[Factor],
-        effects: Vec<Option<Vec<(usize, f64)>>>,
-        fixed_effects: usize,
-        random: &[usize],
-    ) -> Result<Self> {
-        let mut starts = Vec::new();
-        let mut column_count = 0;
-        for &factor in random {
-            starts.push(column_count);
-            column_count += factors[factor].levels.len();
-        }
-        let used: Vec<(&Drop, Vec<(usize, f64)>)> = drops
-            .iter()
-            .zip(effects)
-            .filter_map(|(drop, effects)| Some((drop, effects?)))
-            .collect();
-        for (drop, _) in &used {
-            check(&drop.measured)?;
-        }
-        let has = |effect: usize, of: &[(usize, f64)]| of.iter().any(|(known, _)| *known == effect);
-        let empty = (0..fixed_effects).any(|effect| !used.iter().any(|(_, of)| has(effect, of)));
-        if empty || used.len() < fixed_effects + 2 {
-            return Err(Error::TooFewDrops {
-                needed: fixed_effects + 2,
-                drops: used.len(),
-            });
-        }
-        let columns = used.iter().map(|(drop, _)| {
-            let of_factor = random.iter().zip(&starts).enumerate();
-            of_factor
-                .filter_map(|(place, (&factor, start))| Some((start + drop.levels[factor]?, place)))
-                .collect()
-        });
-        let origin = used[0].0.measured.value;
-        let values: Vec<f64> = used
-            .iter()
-            .map(|(drop, _)| drop.measured.value - origin)
-            .collect();
-        Ok(Self {
-            own_variances: used.iter().map(|(d, _)| d.measured.sd.powi(2)).collect(),
-            columns: columns.collect(),
-            fixed: used.into_iter().map(|(_, effects)| effects).collect(),
-            fixed_effects,
-            column_count,
-            random_factors: random.len(),
-            scale: sd(&values).max(1e-150),
-            values,
-            origin,
-        })
-    }
-
-    /// Improves the standard deviations one after the other until the likelihood stands still, all
-    /// but the one held, and returns its logarithm.
-    fn climb_all(&self, sds: &mut [f64], held: Option<usize>, rounds: usize) -> f64 {
-        /// Far below what any interval shows.
-        const STILL: f64 = 1e-7;
-        let height = |sds: &[f64]| self.fit(sds).map_or(f64::MIN, |fit| fit.log_likelihood);
-        let mut best = height(sds);
-        for _ in 0..rounds {
-            let before = best;
-            for place in (0..sds.len()).filter(|&place| Some(place) != held) {
-                let now = sds.to_vec();
-                let with = |sd: f64| {
-                    let mut tried = now.clone();
-                    tried[place] = sd;
-                    tried
-                };
-                // Near where it was, and anywhere.
-                let reach = 4.0 * self.scale;
-                let near = [0.5 * now[place], (2.0 * now[place]).max(1e-4 * self.scale)];
-                let candidates = [
-                    0.0,
-                    climb(near, |sd| height(&with(sd))),
-                    climb([0.0, reach], |sd| height(&with(sd))),
-                ];
-                for sd in candidates {
-                    let found = height(&with(sd));
-                    if found > best {
-                        best = found;
-                        sds[place] = sd;
-                    }
-                }
-            }
-            if best - before < STILL {
-                break;
-            }
-        }
-        best
-    }
-
-    /// Means, their covariance and the restricted log-likelihood (up to a constant), by the identity
-    /// of Woodbury: only a matrix of the size of all levels together is taken apart.
-    fn fit(&self, sds: &[f64]) -> Option<Fit> {
-        let (p, q) = (self.fixed_effects, self.column_count);
-        let mut inner = DMatrix::<f64>::identity(q, q);
-        let mut across = DMatrix::<f64>::zeros(q, p + 1);
-        let mut information = DMatrix::<f64>::zeros(p, p);
-        let mut fixed_by_value = DVector::<f64>::zeros(p);
-        let mut value_by_value = 0.0;
-        let mut log_determinant = 0.0;
-        for (drop, &value) in self.values.iter().enumerate() {
-            let variance = self.own_variances[drop] + sds[0] * sds[0];
-            if variance <= 0.0 {
-                return None;
-            }
-            let weight = 1.0 / variance;
-            log_determinant += variance.ln();
-            let effects = &self.fixed[drop];
-            for &(effect, amount) in effects {
-                fixed_by_value[effect] += weight * amount * value;
-                for &(other, other_amount) in effects {
-                    information[(effect, other)] += weight * amount * other_amount;
-                }
-            }
-            value_by_value += weight * value * value;
-            let columns = &self.columns[drop];
-            for &(column, factor) in columns {
-                let scaled = weight * sds[1 + factor];
-                for &(effect, amount) in effects {
-                    across[(column, effect)] += scaled * amount;
-                }
-                across[(column, p)] += scaled * value;
-                for &(other, other_factor) in columns {
-                    inner[(column, other)] += scaled * sds[1 + other_factor];
-                }
-            }
-        }
-        let inner: Cholesky<f64, Dyn> = Cholesky::new(inner)?;
-        let solved = inner.solve(&across);
-        let corrected = across.transpose() * solved;
-        information -= corrected.view((0, 0), (p, p));
-        let projected = fixed_by_value - corrected.view((0, p), (p, 1)).column(0);
-        let total = value_by_value - corrected[(p, p)];
-        let information = Cholesky::new(information)?;
-        let effects = information.solve(&projected);
-        let residual = (total - projected.dot(&effects)).max(0.0);
-        let log_of = |cholesky: &Cholesky<f64, Dyn>| {
-            2.0 * cholesky
-                .l_dirty()
-                .diagonal()
-                .iter()
-                .map(|d| d.ln())
-                .sum::<f64>()
-        };
-        let log_determinant = log_determinant + log_of(&inner) + log_of(&information);
-        Some(Fit {
-            log_likelihood: -0.5 * (log_determinant + residual),
-            effects,
-            covariance: information.inverse(),
-        })
-    }
+    other.0
 }
 
 #[cfg(test)]

@@ -39,6 +39,7 @@ mod mixed;
 mod outlier;
 mod plan;
 mod quantile;
+mod reml;
 mod study;
 
 pub use compare::{Difference, compare, compare_means};
