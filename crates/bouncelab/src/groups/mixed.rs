@@ -475,6 +475,21 @@ mod tests {
         assert!(Mixed::line(&drops, &[], &[None; 5], &[]).is_err());
     }
 
+    /// The variance between two levels whose drops agree exactly is half of the square of their difference, and the
+    /// mean is known by two values.
+    #[test]
+    fn levels_whose_drops_agree_exactly_vary_by_their_difference() {
+        let drops: Vec<Drop> = (0..6)
+            .map(|n| drop(0.9 + 0.01 * f64::from(n % 2), &[n as usize % 2]))
+            .collect();
+        let fit = Mixed::fit(&drops, &[factor("ball", 2)], None, &[0]).unwrap();
+        close(fit.between_levels(0).sd, 0.01 / 2_f64.sqrt(), 1e-6);
+        close(fit.between_drops().sd, 0.0, 1e-6);
+        close(fit.mean(0).sd, 0.005, 1e-6);
+        let [low, high] = fit.mean95(0);
+        close(0.5 * (high - low), 12.706 * 0.005, 1e-3);
+    }
+
     #[test]
     fn a_factor_of_two_levels_tells_no_upper_end() {
         let drops = [
