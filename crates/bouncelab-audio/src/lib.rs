@@ -29,6 +29,7 @@
 
 #![warn(missing_docs)]
 
+mod contain;
 mod cues;
 mod error;
 mod input;
@@ -46,6 +47,7 @@ mod waveform;
 /// The version of this library.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
+pub use contain::{contain, silence_contained_panics};
 pub use cues::{Cue, copy_with_cues};
 pub use error::{Error, Result};
 pub use input::Input;

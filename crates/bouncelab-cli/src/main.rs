@@ -73,6 +73,7 @@ enum Command {
 }
 
 fn main() -> ExitCode {
+    bouncelab_audio::silence_contained_panics();
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(answer) => return tell(&answer),

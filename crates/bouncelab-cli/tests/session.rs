@@ -780,6 +780,31 @@ fn results_of_a_cluster_are_never_replaced_by_tables() {
     assert_eq!(fs::read(&file).unwrap(), before);
 }
 
+/// The library that reads them panics at one of the files, whose column ends too early: a user sees what is wrong alone.
+#[test]
+fn a_damaged_result_of_a_cluster_is_named_in_one_line() {
+    let workspace = Workspace::new(&[]);
+    let file = workspace.recordings().join("rows.parquet");
+    let mut damaged = 0;
+    for rows in bouncelab_testkit::fuzz::corpus("rows") {
+        fs::write(&file, rows).unwrap();
+        let mut command = Command::cargo_bin("bouncelab").unwrap();
+        command.args(["session", "--from"]).arg(&file);
+        let output = command
+            .arg("--output")
+            .arg(workspace.results())
+            .output()
+            .unwrap();
+        if output.status.success() {
+            continue;
+        }
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(said.lines().count(), 1, "{said}");
+        damaged += usize::from(said.contains("the file is damaged"));
+    }
+    assert_eq!(damaged, 1);
+}
+
 /// How results of a cluster were analysed was decided there.
 #[test]
 fn results_of_a_cluster_take_no_settings() {

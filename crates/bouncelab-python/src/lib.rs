@@ -47,6 +47,8 @@ mod watch;
 
 #[pyo3::pymodule]
 mod _core {
+    use pyo3::prelude::*;
+
     #[pymodule_export]
     use super::analyzer::Analyzer;
     #[pymodule_export]
@@ -78,4 +80,11 @@ mod _core {
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "the name is that of Python modules")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
+
+    #[pymodule_init]
+    #[expect(clippy::unnecessary_wraps, reason = "the type is that of PyO3")]
+    fn init(_module: &Bound<'_, PyModule>) -> PyResult<()> {
+        bouncelab_audio::silence_contained_panics();
+        Ok(())
+    }
 }

@@ -3,7 +3,6 @@
 mod alac;
 mod blank;
 mod codec;
-mod contain;
 mod container;
 mod edits;
 mod framing;

@@ -14,12 +14,12 @@ use symphonia::core::packet::Packet;
 use symphonia::core::units::{Duration, TimeBase};
 
 use super::codec::{self, Decoder, Layout, MAX_PACKET_FRAMES, Refusal};
-use super::contain::{contain, is_panic};
 use super::container::Container;
 use super::edits::{self, Edit};
 use super::framing::{Framing, Missing};
 use super::lost::{Clock, Lost};
 use super::presentation::Presentation;
+use crate::contain::{contain_decoder, is_panic};
 use crate::error::{Error, Result};
 use crate::problem::{MissingContent, Stage};
 
@@ -261,7 +261,7 @@ impl Track {
                 self.decoder.forget();
             }
             self.has_lost |= lost.is_some();
-            match contain(|| self.decoder.decode(&packet, planes)) {
+            match contain_decoder(|| self.decoder.decode(&packet, planes)) {
                 Ok(layout) => {
                     let frames = planes.first().map_or(0, Vec::len) as u64;
                     if let (Some(lost), 0, false) = (&mut lost, frames, has_clock) {
@@ -326,7 +326,7 @@ impl Track {
 
     fn read_on(&mut self, name: &str) -> Result<Pulled> {
         let fault = loop {
-            match contain(|| self.reader.next_packet()) {
+            match contain_decoder(|| self.reader.next_packet()) {
                 Ok(Some(packet)) if packet.track_id == self.info.id => {
                     return Ok(Pulled::Packet(packet));
                 }
@@ -441,7 +441,7 @@ fn open_reader(
     source: Box<dyn MediaSource>,
     name: &str,
 ) -> Result<Box<dyn FormatReader>> {
-    contain(|| container.reader(source)).map_err(|fault| match fault {
+    contain_decoder(|| container.reader(source)).map_err(|fault| match fault {
         SymphoniaError::IoError(reason) if reason.raw_os_error().is_some() => {
             Error::io(name, reason)
         }
@@ -484,7 +484,7 @@ fn choose(
         let Some(CodecParameters::Audio(params)) = &info.codec_params else {
             continue;
         };
-        let made = contain(|| Ok(Decoder::new(params)))
+        let made = contain_decoder(|| Ok(Decoder::new(params)))
             .unwrap_or_else(|fault| Err(Refusal::Malformed(fault.to_string())));
         match made {
             Ok(decoder) => return Ok((info.clone(), params.clone(), decoder)),

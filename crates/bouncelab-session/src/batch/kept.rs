@@ -5,7 +5,6 @@
 
 use std::fs::{self, File};
 use std::io::{self, BufReader, Read};
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
 use bouncelab::Plain;
@@ -292,7 +291,7 @@ impl Read for Part {
 /// touched may be used after that.
 fn contain<T>(work: impl FnOnce() -> Parquet<T>) -> Parquet<T> {
     let damaged = || ParquetError::General("the file is damaged".to_owned());
-    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Err(damaged()))
+    bouncelab_audio::contain(work).unwrap_or_else(|| Err(damaged()))
 }
 
 /// A column of texts of a row group.
