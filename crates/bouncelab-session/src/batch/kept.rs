@@ -9,7 +9,9 @@ use std::path::{Path, PathBuf};
 
 use bouncelab::Plain;
 use bytes::Bytes;
-use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use parquet::basic::{Encoding, Type};
+use parquet::column::page::{Page, PageMetadata, PageReader};
+use parquet::column::reader::ColumnReaderImpl;
 use parquet::data_type::{ByteArray, ByteArrayType};
 use parquet::errors::{ParquetError, Result as Parquet};
 use parquet::file::reader::{ChunkReader, FileReader, Length, RowGroupReader};
@@ -294,6 +296,57 @@ fn contain<T>(work: impl FnOnce() -> Parquet<T>) -> Parquet<T> {
     bouncelab_audio::contain(work).unwrap_or_else(|| Err(damaged()))
 }
 
+/// The pages of a column of texts, without those for which the library would take as much memory as a damaged number
+/// says.
+struct Pages(Box<dyn PageReader>);
+
+impl Iterator for Pages {
+    type Item = Parquet<Page>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        self.get_next_page().transpose()
+    }
+}
+
+impl PageReader for Pages {
+    fn get_next_page(&mut self) -> Parquet<Option<Page>> {
+        /// Before each text in a dictionary stands its length.
+        const LENGTH: usize = size_of::<u32>();
+        let page = self.0.get_next_page()?;
+        match &page {
+            Some(Page::DictionaryPage {
+                buf, num_values, ..
+            }) if *num_values as usize > buf.len() / LENGTH => {
+                let problem = "a dictionary has fewer texts than it says";
+                Err(ParquetError::EOF(problem.to_owned()))
+            }
+            Some(Page::DataPage { encoding, .. } | Page::DataPageV2 { encoding, .. })
+                if !ENCODINGS.contains(encoding) =>
+            {
+                let problem =
+                    format!("its texts are written as {encoding}, not plain or with a dictionary");
+                Err(ParquetError::NYI(problem))
+            }
+            _ => Ok(page),
+        }
+    }
+
+    fn peek_next_page(&mut self) -> Parquet<Option<PageMetadata>> {
+        self.0.peek_next_page()
+    }
+
+    fn skip_next_page(&mut self) -> Parquet<()> {
+        self.0.skip_next_page()
+    }
+}
+
+/// How engines write texts unless somebody asks them for something else.
+const ENCODINGS: [Encoding; 3] = [
+    Encoding::PLAIN,
+    Encoding::PLAIN_DICTIONARY,
+    Encoding::RLE_DICTIONARY,
+];
+
 /// A column of texts of a row group.
 struct Texts {
     reader: ColumnReaderImpl<ByteArrayType>,
@@ -308,11 +361,15 @@ impl Texts {
         let Some(place) = columns.position(|column| column.path().string() == name) else {
             return Ok(None);
         };
-        let level = schema.column(place).max_def_level();
-        Ok(match group.get_column_reader(place)? {
-            ColumnReader::ByteArrayColumnReader(reader) => Some(Self { reader, level }),
-            _ => None,
-        })
+        let column = schema.column(place);
+        if column.physical_type() != Type::BYTE_ARRAY {
+            return Ok(None);
+        }
+        let pages = Pages(group.get_column_page_reader(place)?);
+        Ok(Some(Self {
+            level: column.max_def_level(),
+            reader: ColumnReaderImpl::new(column, Box::new(pages)),
+        }))
     }
 
     /// The next cells.
