@@ -431,12 +431,14 @@ impl<'a> FlightTable<'a> {
 
     /// The launch that would rise to a height; takes gravity times the height.
     pub(crate) fn rising_to(&self, gravity_height: f64) -> Option<f64> {
-        let mut speed = (2.0 * gravity_height).sqrt();
+        let free_fall = (2.0 * gravity_height).sqrt();
+        let mut speed = free_fall;
         for _ in 0..MAX_STEPS {
-            let (height, log_slope) = self.apex(speed)?;
-            let step = (gravity_height / height).ln() / log_slope;
-            speed *= step.exp();
-            if step.abs() <= SMALL_STEP {
+            let (node, t) = self.around(speed)?;
+            let [here, slope] = self.by_speed(node, t, |node| node[FREE_FALL]);
+            let step = (free_fall - here) / slope;
+            speed += step;
+            if step.abs() <= SMALL_STEP * speed {
                 break;
             }
         }
