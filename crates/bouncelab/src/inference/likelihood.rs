@@ -393,37 +393,33 @@ impl<'a> Model<'a> {
         information
     }
 
-    /// A vector and the derivatives there by the unknowns, by differences.
+    /// A vector and the derivatives there by the unknowns, by central differences.
     pub(super) fn differences(&self, vector: &[f64]) -> Option<Differences> {
-        /// An unknown is known to a thousandth at best, so that the slope is told to a ten-thousandth of a standard
-        /// deviation; rounding adds less.
-        const STEP: f64 = 1e-7;
+        const STEP: f64 = 1e-4;
         let unknowns = vector.len();
-        // The vector itself comes first: what it says is taken from what those after it say.
-        let mut tried = DMatrix::from_fn(unknowns, 1 + unknowns, |unknown, _| vector[unknown]);
-        for unknown in 0..unknowns {
-            tried[(unknown, 1 + unknown)] += STEP;
+        // Above in the first columns, below in as many others, and the vector itself in the last.
+        let sign = |column: usize| if column < unknowns { 1.0 } else { -1.0 };
+        let mut tried = DMatrix::from_fn(unknowns, 2 * unknowns + 1, |unknown, _| vector[unknown]);
+        for column in 0..2 * unknowns {
+            tried[(column % unknowns, column)] += sign(column) * STEP;
         }
         let mut residuals = DMatrix::zeros(self.rows_of_data(), unknowns);
         let mut details = Details::default();
         let mut observe = |column: usize, row: usize, step: &Step<LANES>, lane: usize| {
-            let Some(unknown) = column.checked_sub(1) else {
+            if column < 2 * unknowns {
+                residuals[(row, column % unknowns)] += sign(column) * step.residual.value.0[lane];
+            } else {
                 details.add(step, lane);
-                return;
-            };
-            // Where the vector makes no sense there are none.
-            if let Some(here) = details.residuals.get(row) {
-                residuals[(row, unknown)] = (step.residual.value.0[lane] - here.value.0[0]) / STEP;
             }
         };
         let logs = self.log_posteriors_observed(&tried, Some(&mut observe));
         let logs = logs.into_iter().collect::<Option<Vec<f64>>>()?;
+        residuals /= 2.0 * STEP;
+        let slope = |unknown: usize| (logs[unknown] - logs[unknowns + unknown]) / (2.0 * STEP);
         Some(Differences {
             details,
             residuals,
-            posterior: DVector::from_fn(unknowns, |unknown, _| {
-                (logs[1 + unknown] - logs[0]) / STEP
-            }),
+            posterior: DVector::from_fn(unknowns, |unknown, _| slope(unknown)),
         })
     }
 
