@@ -66,7 +66,8 @@ async function group(page: Page): Promise<void> {
   for (const [place, surface] of ['stone', 'wood', 'wood'].entries()) {
     const row = page.locator('table.wide tbody tr').nth(place);
     const input = row.locator('input.noted').first();
-    await input.fill(surface);
+    // Typed, because Firefox takes the Enter as a change only of what was typed.
+    await input.pressSequentially(surface);
     await input.press('Enter');
   }
   const groups = page.locator('.groups[aria-busy=false]');
