@@ -278,7 +278,7 @@ impl Design {
         let columns = self.columns();
         let levels = self.variance_of.len();
         let [one, two, _] = &sums.products;
-        // Z' P of the drops' shares in each level, of the values, and of P y.
+        // T' W of each column of Z, of the values, and of P y.
         let mut products = one
             .view((0, self.fixed_effects), (columns, levels))
             .into_owned();
@@ -287,7 +287,7 @@ impl Design {
             by_two.rows(0, columns),
         ]);
         let projected = self.projected(solved, &products);
-        // Of a random factor f is a sum of columns of Z with these amounts, of the drops P y itself.
+        // Of a random factor f is a sum of columns of Z with these amounts; of the drops it is P y.
         let mut amounts = DMatrix::zeros(levels, self.variances);
         let mut score = DVector::zeros(self.variances);
         for (level, &variance) in self.variance_of.iter().enumerate() {
@@ -306,10 +306,11 @@ impl Design {
         (0.5 * score, 0.5 * information)
     }
 
-    /// Z' P x for vectors x of which T' W x are the columns. With S v = A u + rest it is u/S, without the difference
-    /// of two large numbers, where a level has a variance beside which its drops are known well.
+    /// Z' P x for vectors x of which T' W x are the columns. With A u = S T' W x it is u/S, or what the effects leave
+    /// of it, Z' W x - Z' W T S u. Where the drops of a level are known well beside its variance, the latter is a
+    /// difference of large numbers; where its variance is small, the former divides rounding by it.
     fn projected(&self, solved: &Solved, products: &DMatrix<f64>) -> DMatrix<f64> {
-        /// Below so much of its reciprocal a variance adds little to A.
+        /// Up to so much of the variance with which its drops tell a level, a variance is small.
         const SMALL: f64 = 1e-3;
         let fixed = self.fixed_effects;
         let Solved {
@@ -319,17 +320,14 @@ impl Design {
             ..
         } = solved;
         let one = &sums.products[0];
-        let mut scaled = products.clone();
-        for mut column in scaled.column_iter_mut() {
-            column.component_mul_assign(scales);
-        }
-        let solution = system.solve(&scaled);
-        let mut explained = solution.clone();
-        for mut column in explained.column_iter_mut() {
-            column.component_mul_assign(scales);
-        }
+        let scaled = |matrix: &DMatrix<f64>| {
+            DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |row, column| {
+                scales[row] * matrix[(row, column)]
+            })
+        };
+        let solution = system.solve(&scaled(products));
         let (levels, columns) = (self.variance_of.len(), self.columns());
-        let explained = one.view((fixed, 0), (levels, columns)) * explained;
+        let explained = one.view((fixed, 0), (levels, columns)) * scaled(&solution);
         DMatrix::from_fn(levels, products.ncols(), |level, of| {
             let row = fixed + level;
             if scales[row].powi(2) * one[(row, row)] > SMALL {
