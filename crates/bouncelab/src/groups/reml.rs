@@ -185,8 +185,6 @@ impl Design {
     /// the average information, damped where that leads down (D. W. Marquardt, J. Soc. Ind. Appl. Math. 11, 431,
     /// 1963).
     pub(super) fn climb(&self, start: Vec<f64>, held: Option<usize>) -> Option<(Vec<f64>, Fit)> {
-        /// What a step promises of the log-likelihood if it is the last.
-        const STILL: f64 = 1e-9;
         const MOST_STEPS: usize = 100;
         const LEAST_DAMPING: f64 = 1e-6;
         /// Far beyond the greatest likelihood differences of large numbers are left of it.
@@ -199,8 +197,7 @@ impl Design {
                 Some(place) != held && (variances[place] > 0.0 || fit.score[place] > 0.0)
             };
             let free: Vec<usize> = (0..self.variances).filter(may_move).collect();
-            let step = fit.step(&variances, &free, damping);
-            let Some((step, _)) = step.filter(|(_, promise)| *promise > STILL) else {
+            let Some(step) = fit.step(&free, damping) else {
                 break;
             };
             let mut tried = variances.clone();
@@ -380,29 +377,24 @@ fn scaled(products: &DMatrix<f64>, scales: &DVector<f64>) -> DMatrix<f64> {
 }
 
 impl Fit {
-    /// The step of some of the variances towards those of greatest likelihood, and what it promises of the
-    /// log-likelihood; `None` if the values tell nothing of them.
-    fn step(&self, variances: &[f64], free: &[usize], damping: f64) -> Option<(DVector<f64>, f64)> {
-        /// Damping takes the values to tell at least this part of what they tell of another variance, ...
+    /// The step of some of the variances towards those of greatest likelihood; `None` if it promises nothing, or the
+    /// values tell nothing of them.
+    fn step(&self, free: &[usize], damping: f64) -> Option<DVector<f64>> {
+        /// What a step promises of the log-likelihood if it is not worth taking.
+        const STILL: f64 = 1e-9;
+        /// Damping takes the values to tell at least this part of what they tell of another variance.
         const LEAST_PART: f64 = 1e-9;
-        /// ... and of the logarithm of a variance so much: of one for which nothing is left they seem to tell nothing.
-        const LEAST_OF_LOG: f64 = 1e-3;
         let score = DVector::from_fn(free.len(), |i, _| self.score[free[i]]);
         let mut information = DMatrix::from_fn(free.len(), free.len(), |i, j| {
             self.information[(free[i], free[j])]
         });
         let most = information.diagonal().iter().copied().fold(0.0, f64::max);
-        for (place, &variance) in free.iter().enumerate() {
-            let own = information[(place, place)].max(LEAST_PART * most);
-            let of_log = match variances[variance] {
-                0.0 => 0.0,
-                variance => LEAST_OF_LOG / (variance * variance),
-            };
-            information[(place, place)] += damping * own.max(of_log);
+        for place in 0..free.len() {
+            let own = information[(place, place)];
+            information[(place, place)] += damping * own.max(LEAST_PART * most);
         }
         let step = Cholesky::new(information)?.solve(&score);
-        let promise = 0.5 * step.dot(&score);
-        Some((step, promise))
+        (0.5 * step.dot(&score) > STILL).then_some(step)
     }
 }
 
