@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use bouncelab::Plain;
 use bouncelab::rulebook::{self, Rule, Status};
-use bouncelab_report::rules::words::{drop, facts, status, wanted_in_short};
+use bouncelab_report::rules::words::{drop, facts, status, title, wanted_in_short};
 use bouncelab_report::{Align, Table, rules};
 use clap::{Args, Subcommand};
 use unicode_width::UnicodeWidthStr;
@@ -90,7 +90,7 @@ fn list(rules: &[Rule]) -> Table {
     for rule in rules {
         table.row([
             rule.name.clone(),
-            rule.title.clone(),
+            title(rule, translator()),
             drop(rule, translator()),
             wanted_in_short(rule, translator()),
             status(rule.status, translator()),
@@ -104,7 +104,7 @@ fn show(rule: &Rule) -> String {
     let facts = facts(rule, translator());
     let width = facts.iter().map(|(name, _)| name.width());
     let width = width.fold(12, usize::max);
-    let mut lines = vec![format!("{}: {}", rule.name, rule.title)];
+    let mut lines = vec![format!("{}: {}", rule.name, title(rule, translator()))];
     lines.extend(facts.into_iter().map(|(name, value)| {
         let space = " ".repeat(width - name.width());
         format!("  {name}{space} {value}")

@@ -299,13 +299,16 @@ impl Translator {
     }
 
     /// The name of something that the science calls by a key or by English words.
-    fn named(&self, argument: &str, key: &str) -> String {
+    pub(crate) fn named(&self, argument: &str, key: &str) -> String {
         let key_id = kebab(key);
         let id = match argument {
             "quantity" | "input" => format!("input-{key_id}"),
             "kind" | "what" => format!("kind-{key_id}"),
             "ball" => format!("ball-{key_id}"),
             "law" => format!("restitution-law-{key_id}"),
+            "title" => format!("rule-title-{key_id}"),
+            "surface" => format!("rule-surface-{key_id}"),
+            "note" => format!("rule-note-{key_id}"),
             _ => return key.to_owned(),
         };
         if self.has(&id) {

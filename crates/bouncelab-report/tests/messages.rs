@@ -10,7 +10,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use bouncelab::diagnostic::Code;
+use bouncelab::rulebook::{Requirement, Rule};
 use bouncelab_report::messages::{Translator, languages};
+use bouncelab_report::rules::words;
 use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement, Resource};
 use fluent_syntax::parser;
 
@@ -201,6 +203,52 @@ fn every_quantity_that_is_refused_has_a_name_in_every_language() {
             assert!(translator.has(&id), "{language}: {id}");
         }
     }
+}
+
+/// English says what the files of rules say, and every text of them has its message in the other languages.
+#[test]
+fn the_rules_that_are_built_in_speak_every_language() {
+    let rules = bouncelab_report::rules::all(&[]).unwrap();
+    let said: BTreeSet<String> = rules.iter().flat_map(words_of).collect();
+    let ids = messages("en").into_keys();
+    let written = ids.filter(|(file, _)| file == "rules.ftl");
+    assert_eq!(written.count(), said.len());
+    for rule in &rules {
+        let known = [Some(&rule.title), rule.note.as_ref(), rule.surface.as_ref()];
+        let shown = |words: &Translator| {
+            [
+                Some(words::title(rule, words)),
+                words::note(rule, words),
+                rule.surface
+                    .as_ref()
+                    .map(|name| words::surface(name, words)),
+            ]
+        };
+        let english = shown(&Translator::english());
+        assert_eq!(english.each_ref().map(Option::as_ref), known);
+        let french = shown(&Translator::new("fr").unwrap());
+        let (french, english) = (french.iter().flatten(), english.iter().flatten());
+        assert!(
+            french
+                .zip(english)
+                .all(|(french, english)| french != english)
+        );
+    }
+    let mut own = rules[0].clone();
+    own.title = "Our hall".to_owned();
+    let german = Translator::new("de").unwrap();
+    assert_eq!(words::title(&own, &german), "Our hall");
+}
+
+/// Title, surfaces and note of a rule.
+fn words_of(rule: &Rule) -> Vec<String> {
+    let reference = match &rule.requirement {
+        Requirement::Share { of, .. } => Some(of.clone()),
+        _ => None,
+    };
+    let words = [rule.surface.clone(), reference, rule.note.clone()];
+    let words = words.into_iter().flatten();
+    words.chain([rule.title.clone()]).collect()
 }
 
 #[test]

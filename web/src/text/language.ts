@@ -17,7 +17,7 @@ const files = import.meta.glob<string>(
   [
     '../../../crates/bouncelab-report/messages/*/*.ftl',
     '!../../../crates/bouncelab-report/messages/en/*.ftl',
-    '!../../../crates/bouncelab-report/messages/*/{terminal,sheets}.ftl',
+    '!../../../crates/bouncelab-report/messages/*/{rules,sheets,terminal}.ftl',
   ],
   { query: '?raw', import: 'default' },
 );

@@ -53,7 +53,7 @@ pub(super) fn report(judgement: &Judgement<'_>) -> String {
     add(&mut page, "");
     let remarks = verdict.remarks.iter();
     let remarks = remarks.map(|remark| translator().diagnostic(&remark.diagnostic()));
-    for remark in remarks.chain(rule.note.clone()) {
+    for remark in remarks.chain(words::note(rule, translator())) {
         add(&mut page, &note(remark));
     }
     if !setup.assumptions.is_empty() {
@@ -81,10 +81,11 @@ fn of_rule(rule: &Rule) -> Vec<String> {
         .edition
         .as_ref()
         .map_or_else(String::new, |edition| format!(", {edition}"));
-    let surface = rule.surface.as_deref().unwrap_or("none");
+    let surface = rule.surface.as_deref();
+    let surface = surface.map(|name| words::surface(name, translator()));
     let wants = [
         ("drop", words::drop(rule, translator()).into()),
-        ("surface", surface.into()),
+        ("surface", surface.map_or("none".into(), Into::into)),
         ("wanted", words::wanted(rule, translator()).into()),
         ("point", words::point(rule.point(), translator()).into()),
     ];
@@ -92,7 +93,9 @@ fn of_rule(rule: &Rule) -> Vec<String> {
     vec![
         format!(
             "{}: {} ({}{edition}; {status})",
-            rule.name, rule.title, rule.source
+            rule.name,
+            words::title(rule, translator()),
+            rule.source
         ),
         format!("  {}", text_with("verdict-rule-line", &wants)),
     ]

@@ -152,7 +152,7 @@ verdict-step-drag = Luftwiderstand im Flug
 verdict-step-this-drop = eigene Höhe und einzelner Aufprall dieses Versuchs gegen die der Regel
 verdict-rule-line = Fall aus { $drop }{ $surface ->
     [none] {""}
-   *[other] {" "}auf { $surface }
+   *[other] {" "}(Untergrund: { $surface })
   }; verlangter Rücksprung: { $wanted }; gemessen { $point } des Balls
 verdict-the-rule = Die Regel
 verdict-ways = Der Rücksprung auf jedem Weg, ihn zu bestimmen
@@ -197,8 +197,8 @@ rule-nobody-read = Diese Regel ist nicht geprüft: Niemand hat sie in ihrer Quel
 rule-any-height = beliebige Höhe
 rule-or-more = { $height } oder mehr
 rule-about = etwa { $height }
-rule-share-of = Anteil an dem auf { $surface }
-rule-limits-of = { $limits } dessen auf { $surface }
+rule-share-of = Anteil an dem auf der Referenz ({ $surface })
+rule-limits-of = { $limits } dessen auf der Referenz ({ $surface })
 rule-share-of-reference = Anteil an einer Referenz
 rule-limits-of-reference = { $limits } einer Referenz
 rule-within-of-mean = jede Stelle innerhalb von { $share } % des Mittels

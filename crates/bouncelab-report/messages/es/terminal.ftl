@@ -153,7 +153,7 @@ verdict-step-drag = arrastre en el vuelo
 verdict-step-this-drop = altura e impacto concreto de este ensayo frente a los de la regla
 verdict-rule-line = caída desde { $drop }{ $surface ->
     [none] {""}
-   *[other] {" "}sobre { $surface }
+   *[other] {" "}(superficie: { $surface })
   }; rebote exigido: { $wanted }; medido en: { $point } de la pelota
 verdict-the-rule = La regla
 verdict-ways = El rebote según cada método
@@ -198,8 +198,8 @@ rule-nobody-read = Esta regla no está verificada: no se cotejó con su fuente.
 rule-any-height = cualquier altura
 rule-or-more = { $height } o más
 rule-about = alrededor de { $height }
-rule-share-of = parte de la de { $surface }
-rule-limits-of = { $limits } de la de { $surface }
+rule-share-of = parte del obtenido en la referencia ({ $surface })
+rule-limits-of = { $limits } del obtenido en la referencia ({ $surface })
 rule-share-of-reference = parte de una referencia
 rule-limits-of-reference = { $limits } de una referencia
 rule-within-of-mean = cada lugar a menos del { $share } % de la media

@@ -153,7 +153,7 @@ verdict-step-drag = traînée pendant le vol
 verdict-step-this-drop = hauteur et impact particulier de cet essai par rapport à ceux de la règle
 verdict-rule-line = chute de { $drop }{ $surface ->
     [none] {""}
-   *[other] {" "}sur { $surface }
+   *[other] {" "}(surface : { $surface })
   } ; rebond exigé : { $wanted } ; mesuré au { $point } de la balle
 verdict-the-rule = La règle
 verdict-ways = Le rebond d’après chaque méthode
@@ -198,8 +198,8 @@ rule-nobody-read = Cette règle n’est pas vérifiée : elle n’a pas été 
 rule-any-height = toute hauteur
 rule-or-more = { $height } ou plus
 rule-about = environ { $height }
-rule-share-of = part de celui sur { $surface }
-rule-limits-of = { $limits } de celui sur { $surface }
+rule-share-of = part de celui sur la référence ({ $surface })
+rule-limits-of = { $limits } de celui sur la référence ({ $surface })
 rule-share-of-reference = part d’une référence
 rule-limits-of-reference = { $limits } d’une référence
 rule-within-of-mean = chaque emplacement à { $share } % près de la moyenne

@@ -4,6 +4,23 @@ use bouncelab::rulebook::{Averaging, Evenness, Limits, Point, Requirement, Rule,
 
 use crate::messages::Translator;
 
+/// The title of a rule. Those that are built in have one in every language, as their surfaces and notes have; the
+/// words of other rules stay as they are.
+pub fn title(rule: &Rule, words: &Translator) -> String {
+    words.named("title", &rule.title)
+}
+
+/// A surface that a rule names.
+pub fn surface(surface: &str, words: &Translator) -> String {
+    words.named("surface", surface)
+}
+
+/// What a rule notes of itself.
+pub fn note(rule: &Rule, words: &Translator) -> Option<String> {
+    let note = rule.note.as_deref()?;
+    Some(words.named("note", note))
+}
+
 /// Everything that a rule says, in words.
 pub fn facts(rule: &Rule, words: &Translator) -> Vec<(String, String)> {
     let edition = rule.edition.clone();
@@ -16,11 +33,8 @@ pub fn facts(rule: &Rule, words: &Translator) -> Vec<(String, String)> {
         ("rule-status", status(rule.status, words)),
     ];
     facts.extend(rule.ball.clone().map(|ball| ("rule-ball", ball)));
-    facts.extend(
-        rule.surface
-            .clone()
-            .map(|surface| ("rule-surface", surface)),
-    );
+    let surface = rule.surface.as_deref().map(|name| surface(name, words));
+    facts.extend(surface.map(|surface| ("rule-surface", surface)));
     facts.push(("rule-drop", drop(rule, words)));
     facts.push(("rule-wants", wanted(rule, words)));
     let measured_at = match rule.measured_at {
@@ -57,7 +71,7 @@ pub fn facts(rule: &Rule, words: &Translator) -> Vec<(String, String)> {
             words.text_with("rule-formula-text", &formula),
         ));
     }
-    facts.extend(rule.note.clone().map(|note| ("rule-note", note)));
+    facts.extend(note(rule, words).map(|note| ("rule-note", note)));
     facts
         .into_iter()
         .map(|(id, fact)| (words.text(id), fact))
@@ -104,7 +118,7 @@ pub fn wanted(rule: &Rule, words: &Translator) -> String {
             words.text_with("rule-about", &[("height", length(*height_m, words).into())])
         }
         Requirement::Share { limits, of } if limits.is_open() => {
-            words.text_with("rule-share-of", &[("surface", of.as_str().into())])
+            words.text_with("rule-share-of", &[("surface", surface(of, words).into())])
         }
         Requirement::Share { limits, of } => words.text_with(
             "rule-limits-of",
@@ -113,14 +127,11 @@ pub fn wanted(rule: &Rule, words: &Translator) -> String {
                     "limits",
                     ends(limits, |share| percent(share, words), words).into(),
                 ),
-                ("surface", of.as_str().into()),
+                ("surface", surface(of, words).into()),
             ],
         ),
     };
-    match even(rule, words) {
-        Some(even) => format!("{wanted}; {even}"),
-        None => wanted,
-    }
+    words.in_one_line([Some(wanted), even(rule, words)].into_iter().flatten())
 }
 
 /// The same in a few words, where the reference surface need not be named.

@@ -23,7 +23,7 @@ pub use words::{because, by_rule, outcome, outcome_name};
 pub fn of_verdict(judgement: &Judgement<'_>, provenance: &Provenance, words: &Translator) -> Page {
     let outcome = words::outcome_name(judgement.verdict.outcome, words);
     Page {
-        title: format!("{}: {outcome}", judgement.rule.title),
+        title: format!("{}: {outcome}", rules::words::title(judgement.rule, words)),
         subtitle: made_by(provenance, words),
         lead: lead(judgement, words),
         sections: vec![
@@ -76,7 +76,7 @@ fn rebound(judgement: &Judgement<'_>, words: &Translator) -> Section {
     }
     let remarks = judgement.verdict.remarks.iter();
     let remarks = remarks.map(|remark| words.diagnostic(&remark.diagnostic()));
-    let notes = remarks.chain(judgement.rule.note.clone());
+    let notes = remarks.chain(rules::words::note(judgement.rule, words));
     blocks.extend(notes.map(|note| Block::Note(ended(note))));
     Section::new(words.text("verdict-the-rebound"), blocks)
 }

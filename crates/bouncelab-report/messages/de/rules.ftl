@@ -1,0 +1,38 @@
+### Was die eingebauten Regeln in eigenen Worten sagen.
+
+rule-title-basketball = Basketball
+rule-title-racquetball = Racquetball
+rule-title-pickleball = Pickleball
+rule-title-tennis-court-ball-rebound = Tennisplatz, Rücksprung des Balls
+rule-title-indoor-sports-floor-basketball-rebound = Hallenboden, Rücksprung des Basketballs
+rule-title-rebound-of-a-ball-on-a-surface-by-sound = Rücksprung eines Balls auf einem Untergrund, nach Gehör
+rule-title-football-turf-fifa-quality-pro = Fußballrasen, FIFA Quality Pro
+rule-title-football-turf-fifa-quality = Fußballrasen, FIFA Quality
+rule-title-reference-football-for-turf-tests = Referenzfußball für die Prüfung von Rasen
+rule-title-futsal-ball = Futsalball
+rule-title-table-tennis-ball-40-mm = Tischtennisball, 40 mm
+rule-title-table-tennis-ball-38-mm = Tischtennisball, 38 mm
+rule-title-table-tennis-ball-38-mm-on-an-approved-table = Tischtennisball, 38 mm, auf einem zugelassenen Tisch
+rule-title-table-tennis-table = Tischtennistisch
+rule-title-tennis-ball-types-1-to-3 = Tennisball, Typen 1 bis 3
+rule-title-tennis-ball-for-high-altitude = Tennisball für große Höhen
+rule-title-padel-ball = Padelball
+
+rule-surface-granite-plate = Granitplatte
+rule-surface-the-court = der Platz
+rule-surface-a-smooth-rigid-surface-such-as-polished-granite = ein glatter, starrer Untergrund wie polierter Granit
+rule-surface-the-floor = der Boden
+rule-surface-concrete = Beton
+rule-surface-the-reference-surface = der Referenzuntergrund
+rule-surface-the-turf = der Rasen
+rule-surface-steel-block = Stahlblock
+rule-surface-approved-table = zugelassener Tisch
+rule-surface-the-table = der Tisch
+rule-surface-smooth-granite = glatter Granit
+
+rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = beide Höhen gelten als die der Oberkante des Balls
+rule-note-the-itf-recommends-these-values-it-does-not-demand-them-one-recording-for-each-place = die ITF empfiehlt diese Werte, sie verlangt sie nicht; eine Aufnahme für jede Stelle
+rule-note-one-recording-for-each-point-of-the-floor = eine Aufnahme für jede Stelle des Bodens
+rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = ein Verfahren für jeden Ball aus jeder Höhe; es gibt den Anteil an und setzt keine Grenze
+rule-note-no-preset-has-its-mass-and-size-state-them = keine Vorgabe hat seine Masse und Größe: geben Sie sie an
+rule-note-the-law-says-about-23-cm-and-not-how-near = die Regel sagt etwa 23 cm, und nicht, wie genau

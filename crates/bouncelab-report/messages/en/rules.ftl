@@ -1,0 +1,38 @@
+### What the rules that are built in say in words of their own.
+
+rule-title-basketball = Basketball
+rule-title-racquetball = Racquetball
+rule-title-pickleball = Pickleball
+rule-title-tennis-court-ball-rebound = Tennis court, ball rebound
+rule-title-indoor-sports-floor-basketball-rebound = Indoor sports floor, basketball rebound
+rule-title-rebound-of-a-ball-on-a-surface-by-sound = Rebound of a ball on a surface, by sound
+rule-title-football-turf-fifa-quality-pro = Football turf, FIFA Quality Pro
+rule-title-football-turf-fifa-quality = Football turf, FIFA Quality
+rule-title-reference-football-for-turf-tests = Reference football for turf tests
+rule-title-futsal-ball = Futsal ball
+rule-title-table-tennis-ball-40-mm = Table-tennis ball, 40 mm
+rule-title-table-tennis-ball-38-mm = Table-tennis ball, 38 mm
+rule-title-table-tennis-ball-38-mm-on-an-approved-table = Table-tennis ball, 38 mm, on an approved table
+rule-title-table-tennis-table = Table-tennis table
+rule-title-tennis-ball-types-1-to-3 = Tennis ball, types 1 to 3
+rule-title-tennis-ball-for-high-altitude = Tennis ball for high altitude
+rule-title-padel-ball = Padel ball
+
+rule-surface-granite-plate = granite plate
+rule-surface-the-court = the court
+rule-surface-a-smooth-rigid-surface-such-as-polished-granite = a smooth, rigid surface such as polished granite
+rule-surface-the-floor = the floor
+rule-surface-concrete = concrete
+rule-surface-the-reference-surface = the reference surface
+rule-surface-the-turf = the turf
+rule-surface-steel-block = steel block
+rule-surface-approved-table = approved table
+rule-surface-the-table = the table
+rule-surface-smooth-granite = smooth granite
+
+rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = both heights are taken to be of the top of the ball
+rule-note-the-itf-recommends-these-values-it-does-not-demand-them-one-recording-for-each-place = the ITF recommends these values, it does not demand them; one recording for each place
+rule-note-one-recording-for-each-point-of-the-floor = one recording for each point of the floor
+rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = a method for any ball from any height; it states the percentage and sets no limit
+rule-note-no-preset-has-its-mass-and-size-state-them = no preset has its mass and size: state them
+rule-note-the-law-says-about-23-cm-and-not-how-near = the law says about 23 cm, and not how near

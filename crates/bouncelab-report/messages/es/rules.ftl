@@ -1,0 +1,38 @@
+### Lo que dicen las reglas incluidas con sus propias palabras.
+
+rule-title-basketball = Balón de baloncesto
+rule-title-racquetball = Pelota de ráquetbol
+rule-title-pickleball = Pelota de pickleball
+rule-title-tennis-court-ball-rebound = Pista de tenis, rebote de la pelota
+rule-title-indoor-sports-floor-basketball-rebound = Suelo deportivo interior, rebote del balón de baloncesto
+rule-title-rebound-of-a-ball-on-a-surface-by-sound = Rebote de una pelota en una superficie, por el sonido
+rule-title-football-turf-fifa-quality-pro = Césped de fútbol, FIFA Quality Pro
+rule-title-football-turf-fifa-quality = Césped de fútbol, FIFA Quality
+rule-title-reference-football-for-turf-tests = Balón de referencia para ensayos de césped
+rule-title-futsal-ball = Balón de fútbol sala
+rule-title-table-tennis-ball-40-mm = Pelota de tenis de mesa, 40 mm
+rule-title-table-tennis-ball-38-mm = Pelota de tenis de mesa, 38 mm
+rule-title-table-tennis-ball-38-mm-on-an-approved-table = Pelota de tenis de mesa, 38 mm, en una mesa homologada
+rule-title-table-tennis-table = Mesa de tenis de mesa
+rule-title-tennis-ball-types-1-to-3 = Pelota de tenis, tipos 1 a 3
+rule-title-tennis-ball-for-high-altitude = Pelota de tenis para gran altitud
+rule-title-padel-ball = Pelota de pádel
+
+rule-surface-granite-plate = placa de granito
+rule-surface-the-court = la pista
+rule-surface-a-smooth-rigid-surface-such-as-polished-granite = una superficie lisa y rígida como el granito pulido
+rule-surface-the-floor = el suelo
+rule-surface-concrete = hormigón
+rule-surface-the-reference-surface = la superficie de referencia
+rule-surface-the-turf = el césped
+rule-surface-steel-block = bloque de acero
+rule-surface-approved-table = mesa homologada
+rule-surface-the-table = la mesa
+rule-surface-smooth-granite = granito liso
+
+rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = ambas alturas se toman como las de la parte superior de la pelota
+rule-note-the-itf-recommends-these-values-it-does-not-demand-them-one-recording-for-each-place = la ITF recomienda estos valores, no los exige; una grabación por cada lugar
+rule-note-one-recording-for-each-point-of-the-floor = una grabación por cada punto del suelo
+rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = un método para cualquier pelota y altura; da el porcentaje y no fija ningún límite
+rule-note-no-preset-has-its-mass-and-size-state-them = ningún ajuste tiene su masa y tamaño: indíquelos
+rule-note-the-law-says-about-23-cm-and-not-how-near = la regla dice unos 23 cm, y no con qué aproximación

@@ -1,0 +1,38 @@
+### Ce que disent les règles intégrées avec leurs propres mots.
+
+rule-title-basketball = Ballon de basket-ball
+rule-title-racquetball = Balle de racquetball
+rule-title-pickleball = Balle de pickleball
+rule-title-tennis-court-ball-rebound = Court de tennis, rebond de la balle
+rule-title-indoor-sports-floor-basketball-rebound = Sol sportif intérieur, rebond du ballon de basket-ball
+rule-title-rebound-of-a-ball-on-a-surface-by-sound = Rebond d’une balle sur une surface, d’après le son
+rule-title-football-turf-fifa-quality-pro = Gazon de football, FIFA Quality Pro
+rule-title-football-turf-fifa-quality = Gazon de football, FIFA Quality
+rule-title-reference-football-for-turf-tests = Ballon de référence pour les essais de gazon
+rule-title-futsal-ball = Ballon de futsal
+rule-title-table-tennis-ball-40-mm = Balle de tennis de table, 40 mm
+rule-title-table-tennis-ball-38-mm = Balle de tennis de table, 38 mm
+rule-title-table-tennis-ball-38-mm-on-an-approved-table = Balle de tennis de table, 38 mm, sur une table homologuée
+rule-title-table-tennis-table = Table de tennis de table
+rule-title-tennis-ball-types-1-to-3 = Balle de tennis, types 1 à 3
+rule-title-tennis-ball-for-high-altitude = Balle de tennis pour haute altitude
+rule-title-padel-ball = Balle de padel
+
+rule-surface-granite-plate = plaque de granit
+rule-surface-the-court = le court
+rule-surface-a-smooth-rigid-surface-such-as-polished-granite = une surface lisse et rigide comme le granit poli
+rule-surface-the-floor = le sol
+rule-surface-concrete = béton
+rule-surface-the-reference-surface = la surface de référence
+rule-surface-the-turf = le gazon
+rule-surface-steel-block = bloc d’acier
+rule-surface-approved-table = table homologuée
+rule-surface-the-table = la table
+rule-surface-smooth-granite = granit lisse
+
+rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = les deux hauteurs sont prises comme celles du haut de la balle
+rule-note-the-itf-recommends-these-values-it-does-not-demand-them-one-recording-for-each-place = l’ITF recommande ces valeurs, elle ne les exige pas ; un enregistrement par emplacement
+rule-note-one-recording-for-each-point-of-the-floor = un enregistrement par point du sol
+rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = une méthode pour toute balle et toute hauteur ; elle donne le pourcentage et ne fixe aucune limite
+rule-note-no-preset-has-its-mass-and-size-state-them = aucun préréglage n’a sa masse et sa taille : indiquez-les
+rule-note-the-law-says-about-23-cm-and-not-how-near = la règle dit environ 23 cm, sans dire à combien près
