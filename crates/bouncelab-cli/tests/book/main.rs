@@ -303,6 +303,9 @@ impl Scene {
             }
         }
         scene.run("bouncelab synth drop.wav --height 30.5cm --seed 4");
+        scene.run(
+            "bouncelab synth low.wav --ball tennis --voice tennis --height 3cm --restitution 0.75",
+        );
         scene.export();
         for (name, file) in damage::files() {
             for (_, copy) in ENCODED.iter().filter(|(of, _)| *of == name) {
@@ -312,8 +315,8 @@ impl Scene {
         scene
     }
 
-    /// Writes two drops as `PicoScope` exports them, and as Graphical Analysis of Vernier does where numbers have decimal
-    /// commas.
+    /// Writes drops as `PicoScope` exports them, as Graphical Analysis of Vernier does where numbers have decimal
+    /// commas, and as phyphox does, half a second from a low height.
     fn export(&self) {
         let rows = |name: &str, row: &dyn Fn(usize, f64, f32) -> Option<String>| {
             let mut source = Source::open(self.0.path().join(name)).unwrap();
@@ -338,6 +341,14 @@ impl Scene {
         });
         let logger = ["Latest: Time (s);Latest: Potential (V)\n", &logger].concat();
         fs::write(self.0.path().join("vernier.csv"), logger).unwrap();
+        const BEGIN_S: f64 = 0.53;
+        let phone = rows("low.wav", &|_, time_s, sample| {
+            let time_ms = 1e3 * (time_s - BEGIN_S);
+            let row = format!("{time_ms:.9E},{sample:.9E}\n");
+            (0.0..=500.0).contains(&time_ms).then_some(row)
+        });
+        let phone = ["\"Time (ms)\",\"Recording (a.u.)\"\n", &phone].concat();
+        fs::write(self.0.path().join("phyphox.csv"), phone).unwrap();
     }
 
     /// Runs a command; a verdict may go either way. What it prints.
