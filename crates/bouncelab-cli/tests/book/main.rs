@@ -341,9 +341,8 @@ impl Scene {
         });
         let logger = ["Latest: Time (s);Latest: Potential (V)\n", &logger].concat();
         fs::write(self.0.path().join("vernier.csv"), logger).unwrap();
-        const BEGIN_S: f64 = 0.53;
         let phone = rows("low.wav", &|_, time_s, sample| {
-            let time_ms = 1e3 * (time_s - BEGIN_S);
+            let time_ms = 1e3 * (time_s - 0.53);
             let row = format!("{time_ms:.9E},{sample:.9E}\n");
             (0.0..=500.0).contains(&time_ms).then_some(row)
         });

@@ -75,7 +75,7 @@ pub(super) const SURFACES: [Surface; 2] = [
 /// No surface is known to be smoother than this.
 pub(super) const LEAST_SCATTER: f64 = 0.003;
 /// Scatter in dB of the level from impact to impact, about a slow fall.
-const LEVEL_SCATTER_DB: f64 = 3.5;
+pub(super) const LEVEL_SCATTER_DB: f64 = 3.5;
 /// Usual fall of the level from impact to impact in dB, as long as the flights are not known.
 const LEVEL_FALL_DB: f64 = 1.0;
 /// The sound of an impact is proportional to its speed (synth: `Voice::level_exponent`), and the

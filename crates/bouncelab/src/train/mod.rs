@@ -190,7 +190,7 @@ impl Train {
             let heard = self.impacts.len();
             let last = self.impacts[heard - 1].number;
             self.impacts.extend(expected(&self.impacts));
-            let agrees = align::align(&mut self.impacts, samples, start_s, rate_hz);
+            let agrees = align::align(&mut self.impacts, heard, samples, start_s, rate_hz);
             let mut index = 0;
             self.impacts.retain(|_| {
                 index += 1;
@@ -427,7 +427,7 @@ fn expected(impacts: &[TrainImpact]) -> Vec<TrainImpact> {
     expected
 }
 
-/// An impact so many after another, as if it sounded like it and were a little less sure.
+/// An impact so many after another, as if it sounded like it and were a little less sure; `align` measures its level.
 fn missed(before: &TrainImpact, steps: u32, time_s: f64, flight_s: f64) -> TrainImpact {
     /// Scatter of a predicted flight time.
     const SCATTER: f64 = 0.02;

@@ -134,6 +134,11 @@ pub(super) struct Doubt {
 }
 
 impl Doubt {
+    /// The energy of the impact as far as it sounds like the others.
+    pub(super) fn energy(&self) -> f64 {
+        self.energy
+    }
+
     /// Standard error of the shift in samples, if the impacts of the drop differ by this share of
     /// their energy.
     pub(super) fn shift_error(&self, share: f64) -> f64 {
