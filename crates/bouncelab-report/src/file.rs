@@ -2,8 +2,8 @@
 //!
 //! A file is written beside its place under a hidden name, and renamed when it is on the disk. A reader
 //! sees the old file or the new one, never a part, whatever interrupts the program. [`Outputs`] decides
-//! which files may be replaced: never an input, and only files of bouncelab, known by a mark in them,
-//! unless replacing was asked for.
+//! which files may be replaced: never an input nor another output of the command, and only files of bouncelab, known by a
+//! mark in them, unless replacing was asked for.
 //!
 //! ```
 //! use bouncelab_report::file::Outputs;
@@ -20,7 +20,9 @@
 //!
 //! let report = folder.path().join("report.txt");
 //! outputs.write(&report, MINE, b"made by me: first")?;
-//! outputs.write(&report, MINE, b"made by me: second")?;
+//! // Of one command two outputs are two files; the next may replace them.
+//! assert!(outputs.write(&report, MINE, b"made by me: second").is_err());
+//! Outputs::new([&notes], false).write(&report, MINE, b"made by me: second")?;
 //! assert_eq!(std::fs::read(&report)?, b"made by me: second");
 //! # Ok::<(), std::io::Error>(())
 //! ```
@@ -29,7 +31,7 @@ use std::collections::HashSet;
 use std::fs::{self, File};
 use std::io::{self, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use file_id::FileId;
 use tempfile::NamedTempFile;
@@ -68,6 +70,8 @@ pub fn read_noted(path: &Path, most_mb: u64) -> io::Result<Vec<u8>> {
 pub struct Outputs {
     /// What it reads, by the place on the disk: a file may have several names.
     inputs: HashSet<FileId>,
+    /// What it has written, which another output of it does not replace.
+    written: Written,
     /// Whether files of others may be replaced too.
     force: bool,
     /// What a person writes to ask for that.
@@ -89,6 +93,7 @@ impl Outputs {
             .filter_map(|it| file_id::get_file_id(it).ok());
         Self {
             inputs: ids.collect(),
+            written: Written::default(),
             force,
             option: "--force",
         }
@@ -121,6 +126,10 @@ impl Outputs {
             return Err(io::Error::new(io::ErrorKind::InvalidInput, reason));
         }
         self.check_no_input(path)?;
+        if self.written.has(path)? {
+            let reason = "it is another output of this command; name another file";
+            return Err(io::Error::new(io::ErrorKind::AlreadyExists, reason));
+        }
         if self.force || about.len() == 0 || mark.is_in(&File::open(path)?)? {
             return Ok(());
         }
@@ -154,7 +163,7 @@ impl Outputs {
     /// written into.
     pub fn draft(&self, path: &Path, mark: Mark) -> io::Result<Draft> {
         self.check(path, mark)?;
-        Draft::new(path)
+        Draft::new(path, &self.written)
     }
 
     /// Writes a file whole. One with the same content is left as it is.
@@ -163,7 +172,7 @@ impl Outputs {
     /// Those of [`Self::draft`] and [`Draft::finish`].
     pub fn write(&self, path: &Path, mark: Mark, bytes: &[u8]) -> io::Result<()> {
         if has_content(path, bytes) {
-            return Ok(());
+            return self.written.add(path);
         }
         let draft = self.draft(path, mark)?;
         draft.file().write_all(bytes)?;
@@ -180,13 +189,34 @@ impl Outputs {
         mark: Mark,
         fill: impl FnOnce(&File) -> io::Result<()>,
     ) -> io::Result<()> {
-        let draft = Draft::new(path)?;
+        let draft = Draft::new(path, &self.written)?;
         fill(draft.file())?;
         if are_alike(draft.file.path(), path)? {
-            return Ok(());
+            return self.written.add(path);
         }
         self.check(path, mark)?;
         draft.finish()
+    }
+}
+
+/// Files by their place on the disk.
+#[derive(Clone, Debug, Default)]
+struct Written(Arc<Mutex<HashSet<FileId>>>);
+
+impl Written {
+    fn add(&self, path: &Path) -> io::Result<()> {
+        let id = file_id::get_file_id(path)?;
+        self.files().insert(id);
+        Ok(())
+    }
+
+    fn has(&self, path: &Path) -> io::Result<bool> {
+        let id = file_id::get_file_id(path)?;
+        Ok(self.files().contains(&id))
+    }
+
+    fn files(&self) -> MutexGuard<'_, HashSet<FileId>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -241,6 +271,8 @@ pub struct Draft {
     /// The name that it will have.
     path: PathBuf,
     file: NamedTempFile,
+    /// Where it is noted when it is finished.
+    written: Written,
     /// Only for its end.
     _listed: Listed,
 }
@@ -258,7 +290,7 @@ impl Drop for Listed {
 impl Draft {
     /// Begins a file, in the folder in which it will be, with the permissions of any new file. Where
     /// the place is a link, the file to which it leads is written, and the link remains.
-    fn new(path: &Path) -> io::Result<Self> {
+    fn new(path: &Path, written: &Written) -> io::Result<Self> {
         let path = match fs::canonicalize(path) {
             Ok(end) if path.is_symlink() => end,
             _ => path.to_owned(),
@@ -275,6 +307,7 @@ impl Draft {
         Ok(Self {
             path,
             file,
+            written: written.clone(),
             _listed: listed,
         })
     }
@@ -293,6 +326,7 @@ impl Draft {
         self.file().sync_all()?;
         let path = self.path;
         self.file.persist(&path)?;
+        self.written.add(&path)?;
         sync_name(&path)
     }
 }
@@ -412,6 +446,23 @@ mod tests {
             }
         }
         assert_eq!(fs::read(&path).unwrap(), CONTENT);
+    }
+
+    #[test]
+    fn an_output_is_not_replaced_by_another_of_the_same_command() {
+        let (folder, path) = place(b"");
+        let outputs = Outputs::new([""; 0], true);
+        outputs.write(&path, MARKDOWN, CONTENT).unwrap();
+        let same = folder.path().join("./file.md");
+        for _ in 0..2 {
+            let refusal = outputs.write(&same, Mark::NONE, b"other").unwrap_err();
+            assert!(refusal.to_string().contains("another output"), "{refusal}");
+            assert_eq!(fs::read(&path).unwrap(), CONTENT);
+            // What stays as it is was written too.
+            outputs.write(&path, MARKDOWN, CONTENT).unwrap();
+        }
+        let again = Outputs::new([""; 0], true);
+        again.write(&path, Mark::NONE, b"other").unwrap();
     }
 
     #[test]
