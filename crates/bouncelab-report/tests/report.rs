@@ -167,6 +167,16 @@ fn details_are_folded_unless_asked_for() {
 }
 
 #[test]
+fn a_page_of_many_drops_shows_the_first_hundred() {
+    let html = page("long.wav", 120).html();
+    assert!(html.contains("The first 100 drops have sections of their own"));
+    assert!(html.contains("Drop 100 of 120") && !html.contains("Drop 101 of 120"));
+    let rows = html.split("<table").nth(1).unwrap().matches("<tr").count();
+    assert_eq!(rows, 121);
+    assert!(!page("short.wav", 3).html().contains("The first 100"));
+}
+
+#[test]
 fn a_notebook_refers_to_its_figures() {
     let markdown = page("two.wav", 2).markdown("two-figures");
     let names: BTreeSet<&String> = markdown.figures.iter().map(|(name, _)| name).collect();

@@ -10,6 +10,7 @@ report-drops = Die Versuche
 report-no-drop = Kein springender Ball gefunden: { $reason }
 report-no-reason = Nichts darin springt.
 report-drops-found = { $drops } Versuche mit { $impacts } Aufprallen wurden gefunden.
+report-first-drops = Die ersten { $count } Versuche haben unten eigene Abschnitte; Ergebnisse für Programme haben alle.
 
 report-kept = Der Ball behielt bei jedem Aufprall { $share } seines Tempos.
 report-kept-and-fell = Der Ball behielt bei jedem Aufprall { $share } seines Tempos und fiel aus { $height } Höhe.

@@ -12,6 +12,7 @@ report-drops = The drops
 report-no-drop = No drop was found: { $reason }
 report-no-reason = nothing in it bounces.
 report-drops-found = { $drops } drops with { $impacts } impacts were found.
+report-first-drops = The first { $count } drops have sections of their own below; results for programs have all.
 
 report-kept = The ball kept { $share } of its speed at each bounce.
 report-kept-and-fell = The ball kept { $share } of its speed at each bounce and fell from { $height }.

@@ -10,6 +10,7 @@ report-drops = Los ensayos
 report-no-drop = No se halló ningún ensayo: { $reason }
 report-no-reason = nada rebota en él.
 report-drops-found = Se hallaron { $drops } ensayos con { $impacts } impactos.
+report-first-drops = Los primeros { $count } ensayos tienen sus propias secciones abajo; los resultados para programas los tienen todos.
 
 report-kept = La pelota conservó { $share } de su velocidad en cada rebote.
 report-kept-and-fell = La pelota conservó { $share } de su velocidad en cada rebote y cayó desde { $height }.

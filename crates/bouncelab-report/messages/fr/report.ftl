@@ -10,6 +10,7 @@ report-drops = Les essais
 report-no-drop = Aucun essai trouvé : { $reason }
 report-no-reason = rien n’y rebondit.
 report-drops-found = { $drops } essais avec { $impacts } impacts ont été trouvés.
+report-first-drops = Les { $count } premiers essais ont leurs propres sections ci-dessous ; les résultats pour programmes les ont tous.
 
 report-kept = La balle a gardé { $share } de sa vitesse à chaque rebond.
 report-kept-and-fell = La balle a gardé { $share } de sa vitesse à chaque rebond et est tombée de { $height }.

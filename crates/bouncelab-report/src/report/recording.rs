@@ -13,6 +13,9 @@ use crate::messages::Translator;
 use crate::quantity::Unit;
 use crate::table::{Align, Table};
 
+/// So many drops have sections of their own: a page of a thousand would take 600 MB, and a reader days.
+const MOST_DROPS: usize = 100;
+
 /// The page of a recording: each drop in words, numbers and figures, what was assumed, the method, and
 /// how to repeat it; all else in its details, which are folded.
 pub fn of_recording(recording: &Recording, provenance: &Provenance, words: &Translator) -> Page {
@@ -30,7 +33,7 @@ pub fn of_recording(recording: &Recording, provenance: &Provenance, words: &Tran
         ));
         details.extend(drop_details(only, settings, words));
     } else {
-        for (found, number) in drops.iter().zip(1_usize..) {
+        for (found, number) in drops.iter().take(MOST_DROPS).zip(1_usize..) {
             let of = [("number", number.into()), ("count", drops.len().into())];
             let heading = words.text_with("report-drop-of", &of);
             sections.push(drop(&heading, found, settings, true, words));
@@ -98,6 +101,10 @@ fn lead(recording: &Recording, words: &Translator) -> Vec<Block> {
                 words.text("report-drops"),
                 overview(several, words),
             ));
+            if several.len() > MOST_DROPS {
+                let shown = [("count", MOST_DROPS.into())];
+                lead.push(Block::Note(words.text_with("report-first-drops", &shown)));
+            }
         }
     }
     let notes = recording.result.diagnostics.iter();
