@@ -61,7 +61,10 @@ pub enum Error {
         problem: String,
     },
     /// There are no recordings.
-    #[error("{what}; name recordings, a folder that holds some, or a session.toml")]
+    #[error(
+        "{what}; name recordings, a folder that holds some, or a session.toml (a table with a waveform or times must be \
+         named itself)"
+    )]
     NoRecordings {
         /// Where was looked.
         what: String,
