@@ -104,7 +104,11 @@ fn show(rule: &Rule) -> String {
     let facts = facts(rule, translator());
     let width = facts.iter().map(|(name, _)| name.width());
     let width = width.fold(12, usize::max);
-    let mut lines = vec![format!("{}: {}", rule.name, title(rule, translator()))];
+    let mut lines = vec![format!(
+        "{} {}",
+        translator().with_colon(&rule.name),
+        title(rule, translator())
+    )];
     lines.extend(facts.into_iter().map(|(name, value)| {
         let space = " ".repeat(width - name.width());
         format!("  {name}{space} {value}")

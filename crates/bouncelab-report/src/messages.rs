@@ -236,6 +236,16 @@ impl Translator {
         joined.unwrap_or_default()
     }
 
+    /// What introduces something, with the colon of the language.
+    ///
+    /// ```
+    /// let french = bouncelab_report::messages::Translator::new("fr").unwrap();
+    /// assert_eq!(french.with_colon("note"), "note\u{202f}:");
+    /// ```
+    pub fn with_colon(&self, text: &str) -> String {
+        self.text_with("with-colon", &[("text", text.into())])
+    }
+
     /// This translator, with the advice that belongs to a front end: `terminal` or `page`.
     #[must_use]
     pub fn for_front_end(self, name: &'static str) -> Self {

@@ -32,7 +32,11 @@ pub(super) fn report(outcome: &Outcome<'_>, details: bool, wanted: Option<f64>) 
 
 fn headline(about: &About) -> String {
     let title = about.title.clone().unwrap_or_else(|| text("session-title"));
-    format!("{title}: {}", tables::counts(about, translator()))
+    format!(
+        "{} {}",
+        translator().with_colon(&title),
+        tables::counts(about, translator())
+    )
 }
 
 #[derive(Default)]
@@ -181,10 +185,10 @@ impl Page {
         if reasons.is_empty() {
             return;
         }
-        self.line(&format!("  {}:", text(id)));
+        self.line(&format!("  {}", translator().with_colon(&text(id))));
         let shown = if details { reasons.len() } else { SHOWN };
         for Reason { name, reason } in reasons.iter().take(shown) {
-            self.line(&format!("    {name}: {reason}"));
+            self.line(&format!("    {} {reason}", translator().with_colon(name)));
         }
         if reasons.len() > shown {
             let more = [("count", (reasons.len() - shown).into())];

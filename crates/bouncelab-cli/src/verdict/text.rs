@@ -36,7 +36,10 @@ pub(super) fn report(judgement: &Judgement<'_>) -> String {
     add(&mut page, &indented(&ways(verdict, translator())));
     if let Some(steps) = differences(verdict, translator()) {
         add(&mut page, "");
-        add(&mut page, &format!("  {}:", text("verdict-steps")));
+        add(
+            &mut page,
+            &format!("  {}", translator().with_colon(&text("verdict-steps"))),
+        );
         add(&mut page, &indented(&steps));
     }
     add(&mut page, "");
@@ -77,10 +80,8 @@ fn indented(table: &Table) -> String {
 }
 
 fn of_rule(rule: &Rule) -> Vec<String> {
-    let edition = rule
-        .edition
-        .as_ref()
-        .map_or_else(String::new, |edition| format!(", {edition}"));
+    let source = std::iter::once(&rule.source).chain(&rule.edition);
+    let source = source.map(String::as_str).collect::<Vec<_>>().join(", ");
     let surface = rule.surface.as_deref();
     let surface = surface.map(|name| words::surface(name, translator()));
     let wants = [
@@ -92,10 +93,10 @@ fn of_rule(rule: &Rule) -> Vec<String> {
     let status = words::status(rule.status, translator());
     vec![
         format!(
-            "{}: {} ({}{edition}; {status})",
-            rule.name,
+            "{} {} ({})",
+            translator().with_colon(&rule.name),
             words::title(rule, translator()),
-            rule.source
+            translator().in_one_line([source, status])
         ),
         format!("  {}", text_with("verdict-rule-line", &wants)),
     ]

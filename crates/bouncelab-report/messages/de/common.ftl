@@ -4,3 +4,4 @@ interval-ends = { $low } bis { $high }
 list-and = { $first } und { $last }
 list-semicolon = { $first }; { $last }
 list-more = { $first } und { $count } weitere
+with-colon = { $text }:

@@ -6,3 +6,4 @@ interval-ends = { $low } to { $high }
 list-and = { $first } and { $last }
 list-semicolon = { $first }; { $last }
 list-more = { $first } and { $count } more
+with-colon = { $text }:

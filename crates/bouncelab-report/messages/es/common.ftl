@@ -4,3 +4,4 @@ interval-ends = { $low } a { $high }
 list-and = { $first } y { $last }
 list-semicolon = { $first }; { $last }
 list-more = { $first } y { $count } más
+with-colon = { $text }:

@@ -6,3 +6,4 @@ interval-ends = { $low } à { $high }
 list-and = { $first } et { $last }
 list-semicolon = { $first } ; { $last }
 list-more = { $first } et { $count } de plus
+with-colon = { $text } :

@@ -155,7 +155,7 @@ fn troubles(about: &About, words: &Translator) -> Section {
         .filter(|(_, reasons)| !reasons.is_empty())
         .flat_map(|(id, reasons)| {
             [
-                Block::text(format!("{}:", words.text(id))),
+                Block::text(words.with_colon(&words.text(id))),
                 Block::List(by_reason(reasons, words)),
             ]
         });
@@ -171,8 +171,9 @@ fn by_reason(reasons: &[Reason], words: &Translator) -> Vec<String> {
             None => lines.push((reason, vec![name.clone()])),
         }
     }
-    let line =
-        |(reason, names): (&str, Vec<String>)| format!("{}: {reason}", some_of(&names, words));
+    let line = |(reason, names): (&str, Vec<String>)| {
+        format!("{} {reason}", words.with_colon(&some_of(&names, words)))
+    };
     lines.into_iter().map(line).collect()
 }
 

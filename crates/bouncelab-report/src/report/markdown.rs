@@ -105,7 +105,7 @@ impl Form<'_> {
                 self.block(&of_table(&table));
             }
             Block::Table { caption, table } => {
-                self.block(&format!("{}:", escaped(caption)));
+                self.block(&format!("**{}**", escaped(caption)));
                 self.block(&of_table(table));
             }
             Block::Figure { name, chart } => self.figure(name, chart),

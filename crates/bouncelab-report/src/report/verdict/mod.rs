@@ -21,9 +21,10 @@ pub use words::{because, by_rule, outcome, outcome_name};
 /// The page of a verdict: what was decided, the rule, the rebound in several ways, each drop, what was
 /// assumed, the method, and how to repeat it.
 pub fn of_verdict(judgement: &Judgement<'_>, provenance: &Provenance, words: &Translator) -> Page {
+    let title = words.with_colon(&rules::words::title(judgement.rule, words));
     let outcome = words::outcome_name(judgement.verdict.outcome, words);
     Page {
-        title: format!("{}: {outcome}", rules::words::title(judgement.rule, words)),
+        title: format!("{title} {outcome}"),
         subtitle: made_by(provenance, words),
         lead: lead(judgement, words),
         sections: vec![
