@@ -290,6 +290,38 @@ fn ringing_does_not_move_the_next_impact() {
     }
 }
 
+/// The last impacts of a basketball are not picked, and found by the sound of the others. They have the levels that
+/// were rendered, and none is found in the noise after them.
+#[test]
+fn impacts_that_are_not_picked_have_their_own_level() {
+    let scene = Scene {
+        voice: Voice::basketball(),
+        noise: Some(Noise::pink(40.0)),
+        ..Scene::default()
+    };
+    for seed in 0..40 {
+        let sound = synth::render(&dropped(1.8, 0.76), &scene, seed).unwrap();
+        let detected = detect(&sound);
+        let impacts = the_only_train(&detected).impacts();
+        let off_db: Vec<f64> = impacts
+            .iter()
+            .map(|impact| {
+                let is_it = |true_one: &&SynthImpact| {
+                    (true_one.time_s - impact.onset.time_s).abs() < SAME_S
+                };
+                let true_one = sound.impacts.iter().find(is_it);
+                let true_one = true_one.unwrap_or_else(|| panic!("{seed}: {impact:?}"));
+                impact.onset.level_db - true_one.snr_db
+            })
+            .collect();
+        let first_db = off_db[0];
+        assert!(
+            off_db.iter().all(|db| (db - first_db).abs() < 6.0),
+            "{seed}: {off_db:.1?}"
+        );
+    }
+}
+
 #[test]
 fn lost_impacts_leave_gaps_in_the_numbers() {
     let scene = Scene {

@@ -75,7 +75,7 @@ pub(super) const SURFACES: [Surface; 2] = [
 /// No surface is known to be smoother than this.
 pub(super) const LEAST_SCATTER: f64 = 0.003;
 /// Scatter in dB of the level from impact to impact, about a slow fall.
-pub(super) const LEVEL_SCATTER_DB: f64 = 3.5;
+const LEVEL_SCATTER_DB: f64 = 3.5;
 /// Usual fall of the level from impact to impact in dB, as long as the flights are not known.
 const LEVEL_FALL_DB: f64 = 1.0;
 /// The sound of an impact is proportional to its speed (synth: `Voice::level_exponent`), and the
@@ -128,6 +128,12 @@ pub(super) fn ln_ratio(surprise: f64, variance: f64) -> f64 {
 /// The largest value of [`next_ratio`] for ratios that scatter with this variance.
 pub(super) fn most_from_ratio(scatter2: f64) -> f64 {
     student(0.0, scatter2)
+}
+
+/// Logarithm of how likely it is that an impact is so much louder than expected, over that of the expected level.
+pub(super) fn ln_level(louder_db: f64) -> f64 {
+    let likely = |db| student(db, LEVEL_SCATTER_DB * LEVEL_SCATTER_DB);
+    (likely(louder_db) / likely(0.0)).ln()
 }
 
 /// How much more likely other sounds are if they keep time.

@@ -14,8 +14,8 @@ mod sound;
 mod template;
 mod wave;
 
-use super::TrainImpact;
-use super::evidence::LEVEL_SCATTER_DB;
+use super::evidence::ln_level;
+use super::{TrainImpact, UNHEARD};
 use crate::onset::Onset;
 use crate::stats::median;
 use sound::{Sound, Span, cut_out, noise_power, whitened};
@@ -34,9 +34,6 @@ const AGREEMENT_ROUNDS: usize = 2;
 const LEAST_KEPT: f64 = 0.97;
 /// So many of the loudest impacts are asked.
 const TRIED: usize = 6;
-
-/// An impact that was not picked is not so much fainter than the one before: the scatter of levels has long tails.
-const FAINTER_DB: f64 = 5.0 * LEVEL_SCATTER_DB;
 
 /// Moves the times of these impacts to where their waveforms agree, and says which of them agree
 /// and begin there. Only the first `picked` were picked; the others, which have the level of the one before,
@@ -84,28 +81,33 @@ pub(super) fn align(
         }
         fits[sound.impact] = sound.begins(&span);
     }
-    for (impact, level_db) in levels_db(impacts, picked, &sounds) {
-        let onset = &mut impacts[impact].onset;
-        fits[impact] &= level_db > onset.level_db - FAINTER_DB;
+    for (sound, level_db) in levels_db(impacts, picked, &sounds) {
+        let onset = &mut impacts[sound.impact].onset;
+        let ln_odds = sound.ln_odds + ln_level(level_db - onset.level_db);
+        fits[sound.impact] &= ln_odds > (UNHEARD / (1.0 - UNHEARD)).ln();
         onset.level_db = level_db;
     }
     fits
 }
 
 /// The levels of the impacts that were not picked, from how much louder those are that were.
-fn levels_db(impacts: &[TrainImpact], picked: usize, sounds: &[Sound]) -> Vec<(usize, f64)> {
+fn levels_db<'a>(
+    impacts: &[TrainImpact],
+    picked: usize,
+    sounds: &'a [Sound],
+) -> Vec<(&'a Sound, f64)> {
     let fitting = sounds.iter().filter(|sound| sound.fits);
     let relative = fitting.filter_map(|sound| {
         let energy = sound.doubt.as_ref()?.energy();
-        Some((sound.impact, 10.0 * energy.log10()))
+        Some((sound, 10.0 * energy.log10()))
     });
-    let (known, unknown): (Vec<_>, Vec<_>) = relative.partition(|&(impact, _)| impact < picked);
+    let (known, unknown): (Vec<_>, Vec<_>) = relative.partition(|(sound, _)| sound.impact < picked);
     let known = known.iter();
-    let full_scale = median(known.map(|&(impact, db)| impacts[impact].onset.level_db - db));
+    let full_scale = median(known.map(|(sound, db)| impacts[sound.impact].onset.level_db - db));
     let unknown = unknown.into_iter();
     full_scale.map_or_else(Vec::new, |full_scale_db| {
         unknown
-            .map(|(impact, db)| (impact, full_scale_db + db))
+            .map(|(sound, db)| (sound, full_scale_db + db))
             .collect()
     })
 }

@@ -99,6 +99,8 @@ pub(super) struct Sound {
     pub(super) shift: f64,
     /// Variance of the shift because other shifts fit as well, in samples squared.
     pub(super) ambiguity: f64,
+    /// Logarithm of how much likelier it is that it sounds like the others than that it does not.
+    pub(super) ln_odds: f64,
     /// Whether it fits the others.
     pub(super) fits: bool,
     /// What keeps the shift from being known, once it is settled.
@@ -158,6 +160,7 @@ pub(super) fn whitened(cuts: &[Cut], onsets: &[Onset], rate_hz: f64, span: &Span
                 pick_sigma,
                 shift: 0.0,
                 ambiguity: 0.0,
+                ln_odds: f64::NEG_INFINITY,
                 fits: cut.fits,
                 doubt: None,
             }
@@ -186,9 +189,10 @@ impl Sound {
     pub(super) fn find(&mut self, others: &[f32], span: &Span) {
         let correlations = self.correlations(others, span);
         let ln_odds = self.ln_odds(&correlations, span);
-        let odds: f64 = ln_odds.iter().map(|ln| ln.exp()).sum();
-        let best = best_peak(&correlations, &ln_odds)
-            .filter(|&best| odds > LEAST_ODDS && correlations[best] > LEAST_CORRELATION);
+        self.ln_odds = ln_odds.iter().map(|ln| ln.exp()).sum::<f64>().ln();
+        let best = best_peak(&correlations, &ln_odds).filter(|&best| {
+            self.ln_odds > LEAST_ODDS.ln() && correlations[best] > LEAST_CORRELATION
+        });
         self.take(best, &correlations);
         self.ambiguity = best.map_or(0.0, |best| ambiguity(best, &correlations, &ln_odds));
     }
@@ -315,6 +319,7 @@ mod tests {
                 pick_sigma: 1.0,
                 shift,
                 ambiguity: 0.0,
+                ln_odds: 0.0,
                 fits: false,
                 doubt: None,
             };
