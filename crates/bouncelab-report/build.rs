@@ -2,7 +2,8 @@
 //! a language.
 //!
 //! What the page in a browser says by itself, it reads by itself. The engine in a browser gets English
-//! only, without what a terminal, a lesson sheet or a rule says; the page loads the other languages when a reader chooses them.
+//! only, without what a terminal, a lesson sheet or a rule says; the page loads the other languages when a reader
+//! chooses them.
 
 #![expect(clippy::disallowed_methods, reason = "names of files of the project")]
 
