@@ -125,11 +125,7 @@ impl Outputs {
             let reason = "it is a device or a pipe, not a file";
             return Err(io::Error::new(io::ErrorKind::InvalidInput, reason));
         }
-        self.check_no_input(path)?;
-        if self.written.has(path)? {
-            let reason = "it is another output of this command; name another file";
-            return Err(io::Error::new(io::ErrorKind::AlreadyExists, reason));
-        }
+        self.check_unused(path)?;
         if self.force || about.len() == 0 || mark.is_in(&File::open(path)?)? {
             return Ok(());
         }
@@ -140,20 +136,24 @@ impl Outputs {
         Err(io::Error::new(io::ErrorKind::AlreadyExists, reason))
     }
 
-    /// Whether a file is none of the inputs, which no command writes.
+    /// Whether a file is none of the inputs, which no command writes, and none of the outputs that are written.
     ///
     /// # Errors
     /// [`io::ErrorKind::AlreadyExists`] if it is one, and what the system reports if it cannot be read.
-    pub fn check_no_input(&self, path: &Path) -> io::Result<()> {
+    pub fn check_unused(&self, path: &Path) -> io::Result<()> {
         let id = match file_id::get_file_id(path) {
             Err(reason) if is_absent(&reason) => return Ok(()),
             id => id?,
         };
-        if self.inputs.contains(&id) {
-            let reason = "it is an input of this command; name another file";
-            return Err(io::Error::new(io::ErrorKind::AlreadyExists, reason));
-        }
-        Ok(())
+        let use_of_it = if self.inputs.contains(&id) {
+            "an input"
+        } else if self.written.files().contains(&id) {
+            "another output"
+        } else {
+            return Ok(());
+        };
+        let reason = format!("it is {use_of_it} of this command; name another file");
+        Err(io::Error::new(io::ErrorKind::AlreadyExists, reason))
     }
 
     /// Begins a file that may be written.
@@ -208,11 +208,6 @@ impl Written {
         let id = file_id::get_file_id(path)?;
         self.files().insert(id);
         Ok(())
-    }
-
-    fn has(&self, path: &Path) -> io::Result<bool> {
-        let id = file_id::get_file_id(path)?;
-        Ok(self.files().contains(&id))
     }
 
     fn files(&self) -> MutexGuard<'_, HashSet<FileId>> {

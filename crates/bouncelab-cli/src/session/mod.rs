@@ -345,7 +345,7 @@ impl Arguments {
             allowed.map_err(|reason| Failure::unwritable(&path, &reason))
         })?;
         let journal = self.output.join(JOURNAL);
-        let allowed = outputs.check_no_input(&journal);
+        let allowed = outputs.check_unused(&journal);
         allowed.map_err(|reason| Failure::unwritable(&journal, &reason))
     }
 

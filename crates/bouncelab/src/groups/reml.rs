@@ -317,14 +317,14 @@ impl Design {
             ..
         } = solved;
         let one = &sums.products[0];
-        let scaled = |matrix: &DMatrix<f64>| {
+        let rows_scaled = |matrix: &DMatrix<f64>| {
             DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |row, column| {
                 scales[row] * matrix[(row, column)]
             })
         };
-        let solution = system.solve(&scaled(products));
+        let solution = system.solve(&rows_scaled(products));
         let (levels, columns) = (self.variance_of.len(), self.columns());
-        let explained = one.view((fixed, 0), (levels, columns)) * scaled(&solution);
+        let explained = one.view((fixed, 0), (levels, columns)) * rows_scaled(&solution);
         DMatrix::from_fn(levels, products.ncols(), |level, of| {
             let row = fixed + level;
             if scales[row].powi(2) * one[(row, row)] > SMALL {

@@ -132,8 +132,7 @@ pub(super) fn most_from_ratio(scatter2: f64) -> f64 {
 
 /// Logarithm of how likely it is that an impact is so much louder than expected, over that of the expected level.
 pub(super) fn ln_level(louder_db: f64) -> f64 {
-    let likely = |db| student(db, LEVEL_SCATTER_DB * LEVEL_SCATTER_DB);
-    (likely(louder_db) / likely(0.0)).ln()
+    (Fall::density(louder_db) / Fall::density(0.0)).ln()
 }
 
 /// How much more likely other sounds are if they keep time.

@@ -98,18 +98,19 @@ fn levels_db<'a>(
 ) -> Vec<(&'a Sound, f64)> {
     let fitting = sounds.iter().filter(|sound| sound.fits);
     let relative = fitting.filter_map(|sound| {
-        let energy = sound.doubt.as_ref()?.energy();
+        let energy = sound.doubt.as_ref()?.energy;
         Some((sound, 10.0 * energy.log10()))
     });
     let (known, unknown): (Vec<_>, Vec<_>) = relative.partition(|(sound, _)| sound.impact < picked);
     let known = known.iter();
     let full_scale = median(known.map(|(sound, db)| impacts[sound.impact].onset.level_db - db));
+    let Some(full_scale_db) = full_scale else {
+        return Vec::new();
+    };
     let unknown = unknown.into_iter();
-    full_scale.map_or_else(Vec::new, |full_scale_db| {
-        unknown
-            .map(|(sound, db)| (sound, full_scale_db + db))
-            .collect()
-    })
+    unknown
+        .map(|(sound, db)| (sound, full_scale_db + db))
+        .collect()
 }
 
 /// How many impacts agree with the stack of the others, and how many of some other sounds with the stack

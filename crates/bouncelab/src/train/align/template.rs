@@ -123,7 +123,8 @@ impl<'a> Template<'a> {
 
 /// What keeps the shift of an impact from being known: noise, and that no two impacts are alike.
 pub(super) struct Doubt {
-    energy: f64,
+    /// The energy of the impact as far as it sounds like the others.
+    pub(super) energy: f64,
     /// The energy that neither template nor noise explains, and its standard error.
     different: f64,
     chance: f64,
@@ -134,11 +135,6 @@ pub(super) struct Doubt {
 }
 
 impl Doubt {
-    /// The energy of the impact as far as it sounds like the others.
-    pub(super) fn energy(&self) -> f64 {
-        self.energy
-    }
-
     /// Standard error of the shift in samples, if the impacts of the drop differ by this share of
     /// their energy.
     pub(super) fn shift_error(&self, share: f64) -> f64 {
