@@ -124,6 +124,8 @@ class Ray:
         log = (self.folder / "ray.log").open("ab")
         command = [Path(sys.executable).parent / "ray", "start", "--block", "--num-cpus=1", *options]
         command += [f"--node-ip-address={HOST}", "--object-store-memory=100000000", "--disable-usage-stats"]
+        # Nodes of one machine.
+        command += [f"--dashboard-agent-listen-port={free_port()}"]
         return subprocess.Popen(command, env=self.environment, stdout=log, stderr=log, start_new_session=True)
 
     def add_worker(self) -> None:

@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+import pyarrow
 import pytest
 import ray as engine_of_ray
 from clusters import Ray, cluster
 from faults import faulty
 from laboratory import SETTINGS, alone, differences, failures, listed, names, rows, with_faults, work
+from pyarrow import parquet
 
-from bouncelab import batch
+from bouncelab import InputError, batch
 from bouncelab.ray import analyze
 
 #: For what is not about numbers.
@@ -59,6 +61,41 @@ def test_nothing_new_is_nothing_done(ray: Ray, few: Path, tmp_path: Path, monkey
     output, source, counts = tmp_path / "results.parquet", listed(few), []
     for _ in range(2):
         before = len(work(ray.folder))
-        analyze(source, output, tmp_path / "checkpoint", QUICK)
-        counts.append(len(work(ray.folder)) - before)
-    assert counts == [300, 0] and len(names(output)) == 300
+        said = analyze(source, output, tmp_path / "checkpoint", QUICK)
+        counts.append((said, len(work(ray.folder)) - before))
+    assert counts == [(300, 300), (0, 0)] and len(names(output)) == 300
+
+
+def test_progress_is_told(ray: Ray, few: Path, tmp_path: Path) -> None:
+    told: list[float] = []
+
+    class Bar:
+        def __init__(self, *, total: float | None, desc: str, unit: str) -> None:
+            told.append(total or 0.0)
+
+        def update(self, n: float, /) -> None:
+            told.append(n)
+
+        def close(self) -> None:
+            told.append(0.0)
+
+    analyze(listed(few), tmp_path / "rows", tmp_path / "checkpoint", QUICK, rows_per_block=130, progress=Bar)
+    assert told[0] == 300 and sorted(told[1:-1]) == [40, 130, 130] and told[-1] == 0
+
+
+@pytest.mark.parametrize(
+    ("columns", "reason"),
+    [
+        ({"path": ["/a.wav"]}, "has no column recording"),
+        ({"path": ["/a.wav", None], "recording": ["a", "b"]}, "has no column path without gaps"),
+        ({"path": ["/a.wav", "/b.wav"], "recording": ["a", "a"]}, "has the recording 'a' twice"),
+    ],
+)
+def test_a_manifest_that_makes_no_sense_is_refused(
+    columns: dict[str, list[str | None]], reason: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "manifest.parquet"
+    parquet.write_table(pyarrow.table(columns), path)
+    with pytest.raises(InputError, match=reason):
+        analyze(path, tmp_path / "rows", tmp_path / "checkpoint")
+    assert not (tmp_path / "rows").exists()

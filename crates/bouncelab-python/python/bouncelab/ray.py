@@ -1,21 +1,34 @@
 """Recordings by the million on Ray; ``pip install bouncelab[ray]``."""
-# pyright: reportMissingImports=false
+# pyright: reportMissingImports=false, reportAttributeAccessIssue=false
 
 from __future__ import annotations
 
+import uuid
+from collections.abc import Iterable, Iterator
+from contextlib import closing, nullcontext
+from hashlib import sha256
 from os import fspath
+from os.path import abspath
 from typing import TYPE_CHECKING
 
 import pyarrow
-import ray.data
-from ray.data.checkpoint import CheckpointConfig
+import ray
+from pyarrow import compute, parquet
+from pyarrow.fs import FileSystem
 
 from bouncelab import batch
+from bouncelab._errors import InputError
+from bouncelab._settings import count
 
 if TYPE_CHECKING:
     from os import PathLike
 
+    from bouncelab._analyze import Progress
     from bouncelab.batch import Kernel, Settings
+
+#: Blocks that each processor is given, so that it need not wait for the next.
+BLOCKS_AHEAD = 2
+
 
 def analyze(
     manifest: str | PathLike[str],
@@ -24,10 +37,11 @@ def analyze(
     settings: Settings | None = None,
     *,
     rows_per_block: int = 50,
-) -> None:
-    """Analyse all recordings of a manifest that were not analysed yet, on the cluster of ``ray.init()``.
+    progress: Progress | None = None,
+) -> int:
+    """Analyse the recordings of a manifest that were not analysed yet; return how many.
 
-    What was done is in the checkpoint; a recording that ends its process becomes a row that says so, for each is
+    It takes the cluster of ``ray.init()``. A recording that ends its process becomes a row that says so, for each is
     analysed in a child process.
 
     Parameters
@@ -36,34 +50,101 @@ def analyze(
         Parquet with a column ``path``, a column ``recording`` of unique names, and notes of text: what
         :func:`bouncelab.batch.manifest` writes.
     output : path
-        Folder for the rows as Parquet. It and the checkpoint belong to one manifest and one kernel: other settings
-        or another version of bouncelab need others.
+        Folder for the rows as Parquet, a file for each block. It and the checkpoint belong to one manifest and one
+        kernel: other settings or another version of bouncelab need others.
     checkpoint : path
-        Folder in which Ray keeps what was done.
+        Folder for the names of what was done.
     settings : Settings, optional
         As of :func:`bouncelab.batch.kernel`.
     rows_per_block : int
         At most so many recordings of each worker are analysed again after it was killed.
+    progress : optional
+        As of :func:`bouncelab.analyze`.
+
+    Raises
+    ------
+    InputError
+        If the manifest lacks a column or has a name twice; and what :func:`bouncelab.batch.kernel` raises.
     """
+    rows_at_once = max(count("rows_per_block", rows_per_block), 1)
     kernel = batch.kernel(settings, isolated=True)
-    context = ray.data.DataContext.get_current()
-    before = context.checkpoint_config
-    context.checkpoint_config = CheckpointConfig(
-        id_column="recording", checkpoint_path=fspath(checkpoint), delete_checkpoint_on_success=False
-    )
-    try:
-        recordings = ray.data.read_parquet(fspath(manifest)).repartition(target_num_rows_per_block=rows_per_block)
-        rows = recordings.map_batches(_Task(kernel), batch_format="pyarrow", batch_size=rows_per_block)
-        rows.write_parquet(fspath(output))
-    finally:
-        context.checkpoint_config = before
+    listed = _listed(manifest)
+    rows, done = _Folder(output), _Folder(checkpoint)
+    left = listed.filter(compute.invert(compute.is_in(listed["recording"], done.recordings())))
+    # Where a worker or its node ends, another takes the block.
+    analyze_block = ray.remote(max_retries=-1)(_analyze_block)
+    tasks = (analyze_block.remote(kernel, block, rows, done) for block in _blocks(left, rows_at_once))
+    bar = None if progress is None else progress(total=left.num_rows, desc="analysing", unit="recordings")
+    with nullcontext() if bar is None else closing(bar):
+        for analyzed in _results(tasks):
+            if bar is not None:
+                bar.update(analyzed)
+    return left.num_rows
 
 
-class _Task:
-    """The kernel, from table to table."""
+class _Folder:
+    """A folder of Parquet that all nodes reach."""
 
-    def __init__(self, kernel: Kernel) -> None:
-        self._kernel = kernel
+    def __init__(self, place: str | PathLike[str]) -> None:
+        self._files, self._path = _reached(place)
+        self._files.create_dir(self._path)
 
-    def __call__(self, recordings: pyarrow.Table) -> pyarrow.Table:
-        return pyarrow.Table.from_batches(self._kernel(recordings.to_batches()), self._kernel.schema)
+    def write(self, name: str, table: pyarrow.Table) -> None:
+        """Write a file at once: whoever reads it finds all of it, or none."""
+        unfinished = f"{self._path}/.{uuid.uuid4().hex}"
+        parquet.write_table(table, unfinished, filesystem=self._files)
+        self._files.move(unfinished, f"{self._path}/{name}.parquet")
+
+    def recordings(self) -> pyarrow.ChunkedArray:
+        """The names of the recordings in all files."""
+        schema = pyarrow.schema({"recording": pyarrow.string()})
+        return parquet.read_table(self._path, schema=schema, filesystem=self._files)["recording"]
+
+
+def _reached(place: str | PathLike[str]) -> tuple[FileSystem, str]:
+    """The file system of a path or URI, and the path there."""
+    path = batch.plain(fspath(place))
+    return FileSystem.from_uri(path if "://" in path else abspath(path))
+
+
+def _listed(manifest: str | PathLike[str]) -> pyarrow.Table:
+    files, path = _reached(manifest)
+    listed = parquet.read_table(path, filesystem=files)
+    for column in ("path", "recording"):
+        if column not in listed.column_names or listed[column].null_count:
+            raise InputError(f"{fspath(manifest)} has no column {column} without gaps; batch.manifest writes one")
+    names = listed["recording"].cast(pyarrow.string())
+    counts = compute.value_counts(names)
+    twice = counts.filter(compute.greater(counts.field("counts"), 1))
+    if len(twice):
+        raise InputError(f"{fspath(manifest)} has the recording {twice[0]['values'].as_py()!r} twice")
+    return listed.set_column(listed.column_names.index("recording"), "recording", names)
+
+
+def _blocks(recordings: pyarrow.Table, rows: int) -> Iterator[pyarrow.Table]:
+    for first in range(0, recordings.num_rows, rows):
+        block = recordings.slice(first, rows)
+        # It would be sent with all that it is a slice of.
+        yield block.take([*range(block.num_rows)])
+
+
+def _analyze_block(kernel: Kernel, recordings: pyarrow.Table, rows: _Folder, done: _Folder) -> int:
+    """Analyse recordings; write their rows, then their names."""
+    names = recordings.select(["recording"])
+    # Whoever writes a block again writes the same files.
+    name = sha256("\0".join(names["recording"].to_pylist()).encode()).hexdigest()[:32]
+    rows.write(name, pyarrow.Table.from_batches(kernel(recordings.to_batches()), kernel.schema))
+    done.write(name, names)
+    return recordings.num_rows
+
+
+def _results(tasks: Iterable[ray.ObjectRef[int]]) -> Iterator[int]:
+    """What tasks give, as they end; no more of them are begun than the cluster needs to be busy."""
+    running: list[ray.ObjectRef[int]] = []
+    for task in tasks:
+        running.append(task)
+        if len(running) >= BLOCKS_AHEAD * ray.cluster_resources().get("CPU", 1):
+            ended, running = ray.wait(running)
+            yield from ray.get(ended)
+    for task in running:
+        yield ray.get(task)
