@@ -44,11 +44,6 @@ export const Plus = () => (
     <path d="M8 3v10M3 8h10" />
   </Icon>
 );
-export const Minus = () => (
-  <Icon>
-    <path d="M3 8h10" />
-  </Icon>
-);
 export const Bin = () => (
   <Icon>
     <path d="M2.5 4.5h11M6 4.5v-2h4v2M4 4.5l.7 9h6.6l.7-9" />
