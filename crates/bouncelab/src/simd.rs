@@ -45,6 +45,40 @@ where
     sum
 }
 
+/// Adds to each sum the samples from its place on, each times its weight, one after the other. There are as many
+/// samples as sums and weights, less one.
+#[inline(always)]
+pub(crate) fn add_weighted(sums: &mut [f32], samples: &[f32], weights: &[f32]) {
+    // So many sums stay in registers; in a browser see below.
+    let mut done = 0;
+    if cfg!(not(target_family = "wasm")) {
+        done += add_weighted_blocks::<64>(sums, samples, weights);
+        done += add_weighted_blocks::<16>(&mut sums[done..], &samples[done..], weights);
+    }
+    add_weighted_blocks::<1>(&mut sums[done..], &samples[done..], weights);
+}
+
+/// The same, so many sums at a time; how many were done.
+#[inline(always)]
+fn add_weighted_blocks<const SUMS: usize>(
+    sums: &mut [f32],
+    samples: &[f32],
+    weights: &[f32],
+) -> usize {
+    let (blocks, _) = sums.as_chunks_mut::<SUMS>();
+    for (number, block) in blocks.iter_mut().enumerate() {
+        let mut lanes = *block;
+        let places = samples[number * SUMS..].windows(SUMS);
+        for (weight, samples) in weights.iter().zip(places) {
+            for (lane, sample) in lanes.iter_mut().zip(samples) {
+                *lane += weight * sample;
+            }
+        }
+        *block = lanes;
+    }
+    blocks.len() * SUMS
+}
+
 /// So many problems are worked on side by side where each step of one waits for the step before. In a browser, where
 /// there are no wide registers, one: eight would make the page a twentieth larger.
 pub(crate) const LANES: usize = if cfg!(target_family = "wasm") { 1 } else { 8 };
@@ -117,6 +151,20 @@ impl<const L: usize> Lanes<L> {
     pub(crate) fn exp(self) -> Self {
         self.map(exp)
     }
+}
+
+/// The sum of the exponentials of numbers.
+pub(crate) fn sum_of_exp(numbers: &[f64]) -> f64 {
+    dispatch(
+        #[inline(always)]
+        || {
+            let (lanes, rest) = numbers.as_chunks::<LANES>();
+            let lanes = lanes.iter().map(|&numbers| Lanes(numbers).exp());
+            let sum = lanes.fold(Lanes::<LANES>::all(0.0), Add::add);
+            let rest = rest.iter().map(|&number| exp(number));
+            sum.0.into_iter().chain(rest).sum()
+        },
+    )
 }
 
 macro_rules! lane_by_lane {
@@ -235,6 +283,41 @@ mod tests {
                 (found / expected - 1.0).abs() < 1e-15,
                 "exp {x}: {found} {expected}"
             );
+        }
+    }
+
+    /// The terms are added in their order, however many sums are worked on at a time.
+    #[test]
+    fn weighted_sums_are_those_of_one_after_the_other() {
+        let wave = |n: usize| (0.37 * n as f32).sin();
+        for (count, terms) in [
+            (0, 3),
+            (1, 1),
+            (15, 4),
+            (16, 5),
+            (63, 2),
+            (64, 7),
+            (203, 30),
+        ] {
+            let samples: Vec<f32> = (0..count + terms - 1).map(wave).collect();
+            let weights: Vec<f32> = (0..terms).map(|term| wave(term * term + 1)).collect();
+            let mut sums: Vec<f32> = (0..count).map(|sum| 0.1 * sum as f32).collect();
+            let expected = sums.iter().enumerate().map(|(place, sum)| {
+                let terms = weights.iter().zip(&samples[place..]);
+                terms.fold(*sum, |sum, (weight, sample)| sum + weight * sample)
+            });
+            let expected: Vec<f32> = expected.collect();
+            add_weighted(&mut sums, &samples, &weights);
+            assert_eq!(sums, expected, "{count} sums of {terms} terms");
+        }
+    }
+
+    #[test]
+    fn exponentials_of_any_number_are_added() {
+        for count in [0, 1, 8, 29] {
+            let numbers: Vec<f64> = (0..count).map(|n| 0.3 * f64::from(n) - 5.0).collect();
+            let expected: f64 = numbers.iter().map(|number| number.exp()).sum();
+            assert!((sum_of_exp(&numbers) - expected).abs() <= 1e-14 * expected);
         }
     }
 

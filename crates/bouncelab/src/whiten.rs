@@ -3,7 +3,7 @@
 //! A linear prediction learnt from the background takes hum, rumble and ringing out of a signal;
 //! what is left, the prediction error, is white where only the background is heard.
 
-use crate::simd::sum_of_products;
+use crate::simd::{add_weighted, sum_of_products};
 
 /// How many samples a prediction looks back. Few, because it is learnt from a few milliseconds.
 pub(crate) const ORDER: usize = 10;
@@ -56,13 +56,11 @@ impl Autoregression {
         let centre = |&v: &f32| (f64::from(v) - self.mean) as f32;
         let centred: Vec<f32> = samples.iter().map(centre).collect();
         let mut errors = centred.get(ORDER..).unwrap_or_default().to_vec();
-        for (weight, earlier) in self.weights.iter().zip(0..) {
-            let weight = *weight as f32;
-            let earlier = centred.get(earlier..).unwrap_or_default();
-            for (error, value) in errors.iter_mut().zip(earlier) {
-                *error -= weight * value;
-            }
-        }
+        add_weighted(
+            &mut errors,
+            &centred,
+            &self.weights.map(|weight| -weight as f32),
+        );
         errors
     }
 }

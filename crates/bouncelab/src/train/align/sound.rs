@@ -1,8 +1,9 @@
 //! The whitened surroundings of one impact, and where in them it begins.
 
 use super::template::{Doubt, Left, Noise, Template};
-use super::wave::{KERNEL, dot, norm, resample, running_energy};
+use super::wave::{KERNEL, cross_correlation, norm, resample, running_energy};
 use crate::onset::Onset;
+use crate::simd::{LANES, Lanes, dispatch, sum_of_exp};
 use crate::whiten::{self, Autoregression};
 use std::f64::consts::TAU;
 
@@ -143,7 +144,10 @@ pub(super) fn whitened(cuts: &[Cut], onsets: &[Onset], rate_hz: f64, span: &Span
     let model = Autoregression::learn_from_many(noises);
     cuts.iter()
         .map(|cut| {
-            let errors = model.errors(&cut.samples[span.noise - whiten::ORDER..]);
+            let errors = dispatch(
+                #[inline(always)]
+                || model.errors(&cut.samples[span.noise - whiten::ORDER..]),
+            );
             let pick_sigma = onsets[cut.impact].sigma_s * rate_hz;
             let samples = resample(&errors, cut.at.fract(), span.origin + span.after());
             let energy = running_energy(&samples);
@@ -189,7 +193,7 @@ impl Sound {
     pub(super) fn find(&mut self, others: &[f32], span: &Span) {
         let correlations = self.correlations(others, span);
         let ln_odds = self.ln_odds(&correlations, span);
-        self.ln_odds = ln_odds.iter().map(|ln| ln.exp()).sum::<f64>().ln();
+        self.ln_odds = sum_of_exp(&ln_odds).ln();
         let best = best_peak(&correlations, &ln_odds).filter(|&best| {
             self.ln_odds > LEAST_ODDS.ln() && correlations[best] > LEAST_CORRELATION
         });
@@ -229,16 +233,15 @@ impl Sound {
 
     /// The correlation with the others for every shift by whole samples that is tried.
     fn correlations(&self, others: &[f32], span: &Span) -> Vec<f64> {
-        let reach = self.reach.cast_signed();
         let scale = f64::from(norm(others));
-        let correlation = |lag| {
-            let first = (span.origin - span.before).saturating_add_signed(lag);
-            let end = first + span.length;
-            let energy = self.energy[end] - self.energy[first];
-            let product = f64::from(dot(&self.samples[first..end], others));
-            product / (energy.max(f64::MIN_POSITIVE).sqrt() * scale)
-        };
-        (-reach..=reach).map(correlation).collect()
+        let first = span.origin - span.before - self.reach;
+        let within = &self.samples[first..][..2 * self.reach + span.length];
+        let products = cross_correlation(within, others).into_iter().zip(first..);
+        let correlations = products.map(|(product, first)| {
+            let energy = self.energy[first + span.length] - self.energy[first];
+            f64::from(product) / (energy.max(f64::MIN_POSITIVE).sqrt() * scale)
+        });
+        correlations.collect()
     }
 
     /// For each of these correlations, the logarithm of how much likelier it is that the sound begins there than that
@@ -251,15 +254,25 @@ impl Sound {
         let count = span.length as f64 / alike;
         let sigma = self.pick_sigma.max(1.0);
         let anywhere = WRONG_PICKS / correlations.len() as f64;
-        let ln_odds = |(index, correlation): (usize, &f64)| {
-            let off = (index as f64 - self.reach as f64) / sigma;
-            let near = (-0.5 * off * off).exp() / (TAU.sqrt() * sigma);
-            let prior = (1.0 - WRONG_PICKS) * near + anywhere;
-            let explained = correlation.max(0.0).powi(2);
-            let unexplained = (1.0 - explained).max(f64::EPSILON);
-            prior.ln() - 0.5 * count * unexplained.ln()
-        };
-        correlations.iter().enumerate().map(ln_odds).collect()
+        let mut ln_odds = Vec::with_capacity(correlations.len() + LANES);
+        dispatch(
+            #[inline(always)]
+            || {
+                for first in (0..correlations.len()).step_by(LANES) {
+                    let index = Lanes::<LANES>::of(|lane| (first + lane) as f64);
+                    let off = (index - self.reach as f64) / sigma;
+                    let near = (off * off * -0.5).exp() / (TAU.sqrt() * sigma);
+                    let prior = near * (1.0 - WRONG_PICKS) + anywhere;
+                    let correlation = |lane| correlations.get(first + lane).copied();
+                    let correlation =
+                        Lanes::of(|lane| correlation(lane).unwrap_or_default()).max(0.0);
+                    let unexplained = (-(correlation * correlation) + 1.0).max(f64::EPSILON);
+                    ln_odds.extend((prior.ln() - unexplained.ln() * (0.5 * count)).0);
+                }
+            },
+        );
+        ln_odds.truncate(correlations.len());
+        ln_odds
     }
 }
 

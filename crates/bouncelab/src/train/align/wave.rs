@@ -1,6 +1,7 @@
 //! Arithmetic on waves: products, smoothing, values and slopes between samples.
 
-use crate::simd::{dispatch, sum_of_products};
+use crate::simd::{add_weighted, dispatch, sum_of_products};
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// Half the length of the interpolation kernel in samples.
@@ -18,33 +19,52 @@ pub(super) fn smoothing(reach: usize) -> Vec<f32> {
 /// As many samples, each the weighted mean of those around it.
 pub(super) fn convolve(samples: &[f32], kernel: &[f32]) -> Vec<f32> {
     let reach = kernel.len() / 2;
-    let mut padded = vec![0.0; samples.len() + 2 * reach];
-    padded[reach..][..samples.len()].copy_from_slice(samples);
-    let mut sums = vec![0.0; samples.len()];
-    for (shift, weight) in kernel.iter().enumerate() {
-        for (sum, sample) in sums.iter_mut().zip(&padded[shift..]) {
-            *sum += weight * sample;
-        }
-    }
+    let first = -reach.cast_signed();
+    cross_correlation(
+        &in_silence(samples, first, samples.len() + 2 * reach),
+        kernel,
+    )
+}
+
+/// The cross-correlation of a template with samples, for each place at which it lies within them.
+pub(super) fn cross_correlation(samples: &[f32], template: &[f32]) -> Vec<f32> {
+    let mut sums = vec![0.0; samples.len() + 1 - template.len()];
+    dispatch(
+        #[inline(always)]
+        || add_weighted(&mut sums, samples, template),
+    );
     sums
+}
+
+/// So many samples from a place on; silence lies before the first and after the last.
+fn in_silence(samples: &[f32], first: isize, length: usize) -> Cow<'_, [f32]> {
+    let inside = usize::try_from(first).ok();
+    if let Some(all) = inside.and_then(|first| samples.get(first..first + length)) {
+        return all.into();
+    }
+    let silent = first.min(0).unsigned_abs().min(length);
+    let heard = samples.get(first.max(0).unsigned_abs()..);
+    let mut padded = vec![0.0; length];
+    for (padded, sample) in padded[silent..].iter_mut().zip(heard.unwrap_or_default()) {
+        *padded = *sample;
+    }
+    padded.into()
 }
 
 /// The derivative of a band-limited signal, for each sample; silence lies before and after.
 pub(super) fn derivative(samples: &[f32]) -> Vec<f32> {
-    let length = samples.len();
-    let mut padded = vec![0.0; length + 2 * KERNEL];
-    padded[KERNEL..][..length].copy_from_slice(samples);
-    let mut derivative = vec![0.0; length];
-    for k in 1..=KERNEL {
-        let window = 0.5 + 0.5 * (PI * k as f64 / (KERNEL + 1) as f64).cos();
-        let sign = if k % 2 == 1 { 1.0 } else { -1.0 };
-        let weight = (sign * window / k as f64) as f32;
-        let (before, after) = (&padded[KERNEL - k..], &padded[KERNEL + k..]);
-        for ((sum, before), after) in derivative.iter_mut().zip(before).zip(after) {
-            *sum += weight * (after - before);
-        }
-    }
-    derivative
+    let weight = |place: usize| {
+        let k = place as f64 - KERNEL as f64;
+        let window = 0.5 + 0.5 * (PI * k / (KERNEL + 1) as f64).cos();
+        let sign = if place % 2 == 1 { 1.0 } else { -1.0 };
+        (if place == KERNEL {
+            0.0
+        } else {
+            sign * window / k
+        }) as f32
+    };
+    let weights: [f32; 2 * KERNEL + 1] = std::array::from_fn(weight);
+    convolve(samples, &weights)
 }
 
 pub(super) fn dot(a: &[f32], b: &[f32]) -> f32 {
@@ -74,16 +94,10 @@ pub(super) fn resample(samples: &[f32], position: f64, length: usize) -> Vec<f32
     let whole = position.floor();
     let kernel = kernel(position - whole);
     let first = whole as isize + 1 - KERNEL.cast_signed();
-    let mut values = vec![0.0; length];
-    for (tap, weight) in kernel.into_iter().enumerate() {
-        let start = first + tap.cast_signed();
-        let skipped = start.min(0).unsigned_abs().min(length);
-        let taps = samples.get(start.max(0) as usize..).unwrap_or_default();
-        for (value, sample) in values[skipped..].iter_mut().zip(taps) {
-            *value += weight * sample;
-        }
-    }
-    values
+    cross_correlation(
+        &in_silence(samples, first, length + kernel.len() - 1),
+        &kernel,
+    )
 }
 
 /// The weights of the samples around a position this fraction after one of them.
@@ -120,6 +134,29 @@ mod tests {
         for position in [100.0, 100.25, 100.5, 101.9] {
             let error = f64::from(resample(&tone, position, 1)[0]) - (0.9 * position).sin();
             assert!(error.abs() < 2e-3, "{position}: {error}");
+        }
+    }
+
+    #[test]
+    fn silence_lies_before_and_after() {
+        let samples = [1.0, 2.0, 3.0];
+        let around = resample(&samples, -2.0, 7);
+        let expected = [0.0, 0.0, 1.0, 2.0, 3.0, 0.0, 0.0];
+        for (found, expected) in around.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-6, "{around:?}");
+        }
+        assert_eq!(resample(&samples, -40.0, 2), [0.0; 2]);
+        assert_eq!(resample(&samples, 40.0, 2), [0.0; 2]);
+        assert_eq!(convolve(&samples, &[0.0, 1.0, 0.0]), samples);
+    }
+
+    #[test]
+    fn the_derivative_is_that_of_a_band_limited_signal() {
+        let tone: Vec<f32> = (0..200).map(|n| (0.7 * n as f32).sin()).collect();
+        let slope = derivative(&tone);
+        for (place, slope) in slope.iter().enumerate().take(150).skip(50) {
+            let expected = 0.7 * (0.7 * place as f32).cos();
+            assert!((slope - expected).abs() < 5e-3, "{place}");
         }
     }
 }
