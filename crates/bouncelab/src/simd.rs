@@ -47,7 +47,7 @@ where
 
 /// Adds to each sum the samples from its place on, each times its weight, one after the other. There are as many
 /// samples as sums and weights, less one.
-#[inline(always)]
+#[cfg_attr(not(target_family = "wasm"), inline(always))]
 pub(crate) fn add_weighted(sums: &mut [f32], samples: &[f32], weights: &[f32]) {
     // So many sums stay in registers; in a browser see below.
     let mut done = 0;
