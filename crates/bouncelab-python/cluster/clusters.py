@@ -124,7 +124,7 @@ class Ray:
         log = (self.folder / "ray.log").open("ab")
         command = [Path(sys.executable).parent / "ray", "start", "--block", "--num-cpus=1", *options]
         command += [f"--node-ip-address={HOST}", "--object-store-memory=100000000", "--disable-usage-stats"]
-        # Nodes of one machine.
+        # Nodes of one machine would all listen at the same port.
         command += [f"--dashboard-agent-listen-port={free_port()}"]
         return subprocess.Popen(command, env=self.environment, stdout=log, stderr=log, start_new_session=True)
 
