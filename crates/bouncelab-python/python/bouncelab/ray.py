@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
+import os
 import uuid
 from collections.abc import Iterable, Iterator
 from contextlib import closing, nullcontext
 from hashlib import sha256
-from os import fspath
-from os.path import abspath
+from itertools import accumulate
 from typing import TYPE_CHECKING
 
 import pyarrow
@@ -17,13 +17,13 @@ from pyarrow import compute, parquet
 from pyarrow.fs import FileSystem
 
 from bouncelab import batch
+from bouncelab._analyze import Bars, Progress
 from bouncelab._errors import InputError
 from bouncelab._settings import count
 
 if TYPE_CHECKING:
     from os import PathLike
 
-    from bouncelab._analyze import Progress
     from bouncelab.batch import Kernel, Settings
 
 #: Blocks that each processor is given, so that it need not wait for the next.
@@ -67,6 +67,7 @@ def analyze(
         If the manifest lacks a column or has a name twice; and what :func:`bouncelab.batch.kernel` raises.
     """
     rows_at_once = max(count("rows_per_block", rows_per_block), 1)
+    report = None if progress is None else Bars(progress)
     kernel = batch.kernel(settings, isolated=True)
     listed = _listed(manifest)
     rows, done = _Folder(output), _Folder(checkpoint)
@@ -74,11 +75,10 @@ def analyze(
     # Where a worker or its node ends, another takes the block.
     analyze_block = ray.remote(max_retries=-1)(_analyze_block)
     tasks = (analyze_block.remote(kernel, block, rows, done) for block in _blocks(left, rows_at_once))
-    bar = None if progress is None else progress(total=left.num_rows, desc="analysing", unit="recordings")
-    with nullcontext() if bar is None else closing(bar):
-        for analyzed in _results(tasks):
-            if bar is not None:
-                bar.update(analyzed)
+    with nullcontext() if report is None else closing(report):
+        for analyzed in accumulate(_results(tasks)):
+            if report is not None:
+                report("recordings", analyzed, left.num_rows)
     return left.num_rows
 
 
@@ -103,8 +103,8 @@ class _Folder:
 
 def _reached(place: str | PathLike[str]) -> tuple[FileSystem, str]:
     """The file system of a path or URI, and the path there."""
-    path = batch.plain(fspath(place))
-    return FileSystem.from_uri(path if "://" in path else abspath(path))
+    path = batch.plain(os.fspath(place))
+    return FileSystem.from_uri(path if "://" in path else os.path.abspath(path))
 
 
 def _listed(manifest: str | PathLike[str]) -> pyarrow.Table:
@@ -112,12 +112,12 @@ def _listed(manifest: str | PathLike[str]) -> pyarrow.Table:
     listed = parquet.read_table(path, filesystem=files)
     for column in ("path", "recording"):
         if column not in listed.column_names or listed[column].null_count:
-            raise InputError(f"{fspath(manifest)} has no column {column} without gaps; batch.manifest writes one")
+            raise InputError(f"{os.fspath(manifest)} has no column {column} without gaps; batch.manifest writes one")
     names = listed["recording"].cast(pyarrow.string())
     counts = compute.value_counts(names)
     twice = counts.filter(compute.greater(counts.field("counts"), 1))
     if len(twice):
-        raise InputError(f"{fspath(manifest)} has the recording {twice[0]['values'].as_py()!r} twice")
+        raise InputError(f"{os.fspath(manifest)} has the recording {twice[0]['values'].as_py()!r} twice")
     return listed.set_column(listed.column_names.index("recording"), "recording", names)
 
 
