@@ -263,10 +263,11 @@ impl Sound {
                     let off = (index - self.reach as f64) / sigma;
                     let near = (off * off * -0.5).exp() / (TAU.sqrt() * sigma);
                     let prior = near * (1.0 - WRONG_PICKS) + anywhere;
-                    let correlation = |lane| correlations.get(first + lane).copied();
-                    let correlation =
-                        Lanes::of(|lane| correlation(lane).unwrap_or_default()).max(0.0);
-                    let unexplained = (-(correlation * correlation) + 1.0).max(f64::EPSILON);
+                    let explained = Lanes::of(|lane| {
+                        let correlation = correlations.get(first + lane);
+                        correlation.map_or(0.0, |correlation| correlation.max(0.0).powi(2))
+                    });
+                    let unexplained = (-explained + 1.0).max(f64::EPSILON);
                     ln_odds.extend((prior.ln() - unexplained.ln() * (0.5 * count)).0);
                 }
             },

@@ -54,14 +54,13 @@ fn in_silence(samples: &[f32], first: isize, length: usize) -> Cow<'_, [f32]> {
 /// The derivative of a band-limited signal, for each sample; silence lies before and after.
 pub(super) fn derivative(samples: &[f32]) -> Vec<f32> {
     let weight = |place: usize| {
+        if place == KERNEL {
+            return 0.0;
+        }
         let k = place as f64 - KERNEL as f64;
         let window = 0.5 + 0.5 * (PI * k / (KERNEL + 1) as f64).cos();
         let sign = if place % 2 == 1 { 1.0 } else { -1.0 };
-        (if place == KERNEL {
-            0.0
-        } else {
-            sign * window / k
-        }) as f32
+        (sign * window / k) as f32
     };
     let weights: [f32; 2 * KERNEL + 1] = std::array::from_fn(weight);
     convolve(samples, &weights)
