@@ -5,6 +5,7 @@ use crate::ball::{self, Preset};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::estimate::Estimate;
 use crate::restitution::{ImpactRestitution, PerImpact};
+use crate::stats::sort_by_number;
 
 /// Odds from which on another ball is worth a remark: "strong" evidence on the scale of H. Jeffreys,
 /// *Theory of Probability*, appendix B.
@@ -107,7 +108,7 @@ pub(super) fn compare(drop: &Drop, options: &Options) -> Vec<BallComparison> {
         })
     };
     let mut balls: Vec<BallComparison> = ball::presets().iter().filter_map(with).collect();
-    balls.sort_by(|a, b| b.log_bayes_factor.total_cmp(&a.log_bayes_factor));
+    sort_by_number(&mut balls, |ball| -ball.log_bayes_factor);
     balls
 }
 

@@ -38,6 +38,7 @@ use crate::impact::Impact;
 use crate::inference::{self, InferenceOptions, Posterior, Priors, SamplerConfig};
 use crate::regression::{self, NumberedFlight};
 use crate::restitution::{self, PerImpact};
+use crate::stats::sort_by_number;
 use crate::train::{self, TrainImpact};
 use crate::{Error, Result};
 
@@ -343,7 +344,7 @@ fn edit(impacts: &[Impact], exclude_s: &[f64], include_s: &[f64]) -> (Vec<Impact
 /// assert_eq!(impacts[1].time_s, 0.5);
 /// ```
 pub fn renumbered(mut impacts: Vec<Impact>) -> Vec<Impact> {
-    impacts.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
+    sort_by_number(&mut impacts, |impact| impact.time_s);
     impacts.dedup_by(|a, b| a.time_s <= b.time_s);
     let times_s: Vec<f64> = impacts.iter().map(|impact| impact.time_s).collect();
     for (impact, number) in impacts.iter_mut().zip(train::number_impacts(&times_s)) {

@@ -7,6 +7,7 @@ use crate::detection::{Detection, Detector};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::impact::Impact;
 use crate::onset;
+use crate::stats::sort_by_number;
 use crate::train::{FEWEST_IMPACTS, Train};
 
 /// Analyses a recording of one channel: full scale is 1.
@@ -354,7 +355,7 @@ fn apply(edits: &Edits, drops: &mut Vec<DropCandidate>) -> Vec<Diagnostic> {
     if include_s.len() >= FEWEST_IMPACTS - 2 {
         include_s.sort_unstable_by(f64::total_cmp);
         drops.push(DropCandidate::of_times(&include_s));
-        drops.sort_by(|a, b| a.start_s().total_cmp(&b.start_s()));
+        sort_by_number(drops, DropCandidate::start_s);
     } else {
         diagnostics.extend(include_s.into_iter().map(|time_s| {
             let too_far = Diagnostic::new(Code::TooFarToInclude);

@@ -5,6 +5,7 @@ use super::mixed::{Drop, Factor, Mixed};
 use super::quantile::{interval95, student_beyond};
 use crate::error::Result;
 use crate::inference::Measured;
+use crate::stats::sort_by_number;
 
 /// The difference of two groups.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -114,7 +115,7 @@ fn pairs(groups: usize) -> impl Iterator<Item = (usize, usize)> {
 /// is below the one before it.
 fn holm(mut differences: Vec<Difference>) -> Vec<Difference> {
     let mut order: Vec<usize> = (0..differences.len()).collect();
-    order.sort_by(|&a, &b| differences[a].p_value.total_cmp(&differences[b].p_value));
+    sort_by_number(&mut order, |&place| differences[place].p_value);
     let mut least: f64 = 0.0;
     for (rank, &place) in order.iter().enumerate() {
         let times = (differences.len() - rank) as f64;

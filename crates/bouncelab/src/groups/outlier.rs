@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::inference::Measured;
-use crate::stats::{median, robust_sd};
+use crate::stats::{median, robust_sd, sort_by_number};
 
 /// A modified z-score beyond this names an outlier (Iglewicz and Hoaglin, *How to Detect and Handle
 /// Outliers*, 1993).
@@ -78,7 +78,7 @@ pub fn outliers(drops: &[Measured], group: &[usize]) -> Vec<Outlier> {
             (score.abs() > OUTLIER_THRESHOLD).then_some(Outlier { drop, off, score })
         })
         .collect();
-    found.sort_by(|a, b| b.score.abs().total_cmp(&a.score.abs()));
+    sort_by_number(&mut found, |outlier| -outlier.score.abs());
     found
 }
 

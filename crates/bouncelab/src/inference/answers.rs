@@ -12,6 +12,7 @@ use crate::drag::DragLaw;
 use crate::error::Result;
 use crate::estimate::Estimate;
 use crate::flight::{Environment, FlightModel};
+use crate::stats::sort_by_number;
 
 /// This share of the draws must come to rest: without the others, which last the longest, they would state too short a time.
 const MOSTLY: f64 = 0.99;
@@ -223,7 +224,7 @@ impl Answers {
                 drop_height_m: of_model(&self.drop_height_m),
             });
         }
-        models.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+        sort_by_number(&mut models, |model| -model.probability);
         let best = models.first().map_or(1.0, |model| model.probability);
         for model in &mut models {
             model.log_evidence = (model.probability / best).ln();

@@ -5,6 +5,7 @@
 //! numbering that may explain the intervals is a model of its own, weighed like the others.
 
 use super::observed::{MOST_MISSED, Observed};
+use crate::stats::sort_by_number;
 use crate::train::LN_MISSED;
 
 /// How far a flight may be from what the one before foretells, relative: drag changes the ratio of
@@ -47,7 +48,7 @@ pub(super) fn plausible(observed: &Observed) -> Vec<Observed> {
             ways.push(follow(&durations_s, first, ratio));
         }
     }
-    ways.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    sort_by_number(&mut ways, |way| way.cost);
     let least = ways[0].cost;
     ways.retain(|way| way.cost < least + HOPELESS);
     let nearby = neighbours(&ways[0]);

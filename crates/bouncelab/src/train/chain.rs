@@ -10,6 +10,7 @@ use std::ops::Range;
 use super::evidence::{self, Fall, Span, Surroundings};
 use super::rhythm::{self, Beat, Pulse};
 use super::{FEWEST_IMPACTS, Onset};
+use crate::stats::sort_by_number;
 
 /// The longest time between two impacts heard, in seconds: an apex of 4.9 m.
 const LONGEST_S: f64 = 2.0;
@@ -466,7 +467,7 @@ pub(super) fn numbers(onsets: &[Onset]) -> Option<Vec<u32>> {
                 }
             }
         }
-        longer.sort_by(|a, b| b.0.evidence.total_cmp(&a.0.evidence));
+        sort_by_number(&mut longer, |(way, ..)| -way.evidence);
         longer.truncate(KEPT);
         ways = longer;
     }

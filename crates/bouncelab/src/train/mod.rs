@@ -34,8 +34,8 @@ mod rhythm;
 
 use crate::diagnostic::{Code, Diagnostic};
 use crate::onset::Onset;
-use crate::stats::median;
 use crate::stats::{logistic, softplus};
+use crate::stats::{median, sort_by_number};
 pub(crate) use chain::work;
 use chain::{Chain, Link};
 pub(crate) use evidence::{LN_MISSED, Span};
@@ -196,7 +196,7 @@ impl Train {
                 index += 1;
                 index <= heard || agrees[index - 1]
             });
-            self.impacts.sort_by_key(|impact| impact.number);
+            sort_by_number(&mut self.impacts, |impact| f64::from(impact.number));
             if self.impacts[self.impacts.len() - 1].number == last {
                 return;
             }
@@ -602,7 +602,7 @@ fn beside(onsets: &[Onset], span: Span, read: Read, trains: &mut Vec<Train>) {
             place += 1;
         }
     }
-    trains.sort_by(|a, b| a.start_s().total_cmp(&b.start_s()));
+    sort_by_number(trains, Train::start_s);
 }
 
 /// Joins trains, in order of their beginnings, with the one that ended last before them if that is the same ball.
@@ -708,7 +708,7 @@ fn alike(onsets: &[Onset], chain: &Chain, read: Read) -> f64 {
         onsets[*index].stands_out() && chain.links.iter().all(|link| link.onset != *index)
     };
     let mut others: Vec<Onset> = near.filter(is_other).map(|index| onsets[index]).collect();
-    others.sort_by(|a, b| b.strength.total_cmp(&a.strength));
+    sort_by_number(&mut others, |onset| -onset.strength);
     others.truncate(OTHERS);
     let Recording {
         samples,

@@ -17,7 +17,7 @@ mod wave;
 use super::evidence::ln_level;
 use super::{TrainImpact, UNHEARD};
 use crate::onset::Onset;
-use crate::stats::median;
+use crate::stats::{median, sort_by_number};
 use sound::{Sound, Span, cut_out, noise_power, whitened};
 use template::{Doubt, Left, Template, middle_size, stack, usual_difference, weight};
 use wave::{convolve, running_energy, smoothing};
@@ -247,7 +247,7 @@ fn smooth(sounds: &mut [Sound], span: &Span) -> Vec<f32> {
         .map(|n| (loudness(&sounds[n].energy, sounds[n].noise), n))
         .filter(|&(loudness, _)| loudness > 0.0)
         .collect();
-    loudest.sort_by(|a, b| b.0.total_cmp(&a.0));
+    sort_by_number(&mut loudest, |(loudness, _)| -loudness);
     loudest.truncate(TRIED);
     let kept = |kernel: &[f32]| {
         let shares = loudest.iter().map(|&(before, n)| {

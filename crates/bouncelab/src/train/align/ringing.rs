@@ -6,6 +6,7 @@
 
 use super::sound::{Cut, Span};
 use super::wave::{KERNEL, dot, resample};
+use crate::stats::sort_by_number;
 
 /// So many silences show it.
 const SHOWN: usize = 6;
@@ -45,7 +46,7 @@ fn whole_sound(cuts: &[Cut], recording: &[f32], span: &Span) -> Option<Vec<f32>>
     let mut silences: Vec<(usize, f64)> = silences
         .map(|pair| ((pair[1].at - pair[0].at) as usize, pair[0].at))
         .collect();
-    silences.sort_by_key(|(length, _)| std::cmp::Reverse(*length));
+    sort_by_number(&mut silences, |(length, _)| -(*length as f64));
     let length = silences.get(FEWEST - 1)?.0.checked_sub(span.before)?;
     let length = length.min(span.ringing);
     if length < span.most + span.ringing / BLOCKS {

@@ -4,6 +4,7 @@ use super::template::{Doubt, Left, Noise, Template};
 use super::wave::{KERNEL, cross_correlation, norm, resample, running_energy};
 use crate::onset::Onset;
 use crate::simd::{LANES, Lanes, dispatch, sum_of_exp};
+use crate::stats::sort_by_number;
 use crate::whiten::{self, Autoregression};
 use std::f64::consts::TAU;
 
@@ -134,7 +135,7 @@ pub(super) fn cut_out(positions: &[f64], fits: &[bool], samples: &[f32], span: &
         })
     };
     let mut cuts: Vec<Cut> = positions.iter().enumerate().filter_map(cut).collect();
-    cuts.sort_by(|a, b| a.at.total_cmp(&b.at));
+    sort_by_number(&mut cuts, |cut| cut.at);
     cuts
 }
 
