@@ -148,7 +148,7 @@ impl Blend {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FlightTable<'a> {
     marches: [&'a March; 4],
-    weights: [f64; 4],
+    pub(crate) blend: Blend,
     step: f64,
     /// How many nodes of time all marches have. The longest flight is the shorter the stronger the
     /// drag is, and where a march breaks down the shorter again.
@@ -252,22 +252,26 @@ impl FlightTables {
     /// The flights with so many times the drag of the profile; `None` for a drag below zero, and for
     /// one some thirty times too strong.
     pub(crate) fn at(&self, strength: f64) -> Option<FlightTable<'_>> {
-        let Blend { first, weights } = Blend::of(strength)?;
-        let marches: [&March; 4] = array::from_fn(|node| self.march(first + node));
-        Some(self.between(marches, weights))
+        let blend = Blend::of(strength)?;
+        let marches: [&March; 4] = array::from_fn(|node| self.march(blend.first + node));
+        Some(self.between(marches, blend))
     }
 
     /// The flights with the drag of one node.
     pub(crate) fn at_node(&self, node: usize) -> FlightTable<'_> {
-        self.between([self.march(node); 4], [1.0, 0.0, 0.0, 0.0])
+        let blend = Blend {
+            first: node,
+            weights: [1.0, 0.0, 0.0, 0.0],
+        };
+        self.between([self.march(node); 4], blend)
     }
 
-    fn between<'a>(&self, marches: [&'a March; 4], weights: [f64; 4]) -> FlightTable<'a> {
+    fn between<'a>(&self, marches: [&'a March; 4], blend: Blend) -> FlightTable<'a> {
         let times = marches.iter().map(|march| march.by_time.len());
         FlightTable {
             marches,
             times: times.min().unwrap_or(0),
-            weights,
+            blend,
             step: self.profile.march_step(),
         }
     }
@@ -393,7 +397,7 @@ impl<'a> FlightTable<'a> {
         let [a, b, c, d] = self
             .marches
             .map(|march| march.by_speed[node].as_flattened());
-        let [wa, wb, wc, wd] = self.weights;
+        let [wa, wb, wc, wd] = self.blend.weights;
         array::from_fn(|i| wa * a[i] + wb * b[i] + wc * c[i] + wd * d[i])
     }
 
@@ -445,10 +449,10 @@ impl<'a> FlightTable<'a> {
         Some(speed)
     }
 
-    /// The launch whose flight ends with an impact speed, by at most so many steps of Newton's method.
-    pub(crate) fn launch_leading_to(&self, impact: f64, steps: usize) -> Option<f64> {
+    /// The launch whose flight ends with an impact speed.
+    pub(crate) fn launch_leading_to(&self, impact: f64) -> Option<f64> {
         let mut speed = impact;
-        for _ in 0..steps {
+        for _ in 0..MAX_STEPS {
             let row = self.launch(speed)?;
             let step = (impact / row.impact).ln() / row.impact_slope.max(LEAST_SLOPE);
             speed *= step.exp();
@@ -479,7 +483,7 @@ impl<'a> FlightTable<'a> {
     fn blend(&self, value: impl Fn(&March) -> [f64; 2]) -> [f64; 2] {
         let [a, b, c, d] = self.marches;
         let [a, b, c, d] = [value(a), value(b), value(c), value(d)];
-        let [wa, wb, wc, wd] = self.weights;
+        let [wa, wb, wc, wd] = self.blend.weights;
         let sum = |i: usize| wa * a[i] + wb * b[i] + wc * c[i] + wd * d[i];
         [sum(0), sum(1)]
     }
@@ -489,7 +493,7 @@ impl<'a> FlightTable<'a> {
 const SMALL_STEP: f64 = 1e-6;
 pub(crate) const MAX_STEPS: usize = 30;
 /// Near the terminal speed the impact speed hardly answers to the launch speed.
-const LEAST_SLOPE: f64 = 1e-3;
+pub(crate) const LEAST_SLOPE: f64 = 1e-3;
 
 fn speed_node(impact: [f64; 2], [time, height, fall]: [f64; 3], rates: [f64; 3]) -> SpeedNode {
     let free_fall = (2.0 * height).sqrt();
@@ -606,7 +610,7 @@ mod tests {
                 );
                 let back = table.rising_to(gravity * exact.apex_m).unwrap();
                 assert!(near(back, launch), "{drag} {launch} {back}");
-                let back = table.launch_leading_to(row.impact, MAX_STEPS).unwrap();
+                let back = table.launch_leading_to(row.impact).unwrap();
                 assert!((back / launch - 1.0).abs() < 1e-4, "{drag} {launch} {back}");
             }
         }

@@ -7,26 +7,31 @@ use std::ops::{Div, Mul, Sub};
 
 use nalgebra::{DMatrix, DVector};
 
-/// A symmetric matrix that is zero more than two places from the diagonal.
+use crate::simd::Lanes;
+
+/// A symmetric matrix that is zero more than two places from the diagonal, in each lane.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Banded {
+pub(super) struct Banded<const L: usize> {
     /// Of each row the entries two, one and no places before the diagonal.
-    rows: Vec<[f64; 3]>,
+    rows: Vec<[Lanes<L>; 3]>,
 }
 
-impl Banded {
+impl<const L: usize> Banded<L> {
     /// Adds a row: its entries two, one and no places before the diagonal. Entries before the first
     /// column count for nothing.
-    pub(super) fn push(&mut self, row: [f64; 3]) {
+    #[inline(always)]
+    pub(super) fn push(&mut self, row: [Lanes<L>; 3]) {
         self.rows.push(row);
     }
 
     /// An entry of the diagonal.
-    pub(super) fn diagonal(&self, row: usize) -> f64 {
+    #[inline(always)]
+    pub(super) fn diagonal(&self, row: usize) -> Lanes<L> {
         self.rows[row][2]
     }
 
     /// The sum of matrices of the same size.
+    #[inline(always)]
     pub(super) fn sum(matrices: [&Self; 3]) -> Self {
         let [a, b, c] = matrices.map(|matrix| matrix.rows.iter());
         let rows = a.zip(b).zip(c);
@@ -37,54 +42,68 @@ impl Banded {
         }
     }
 
+    /// Turns a vector into M⁻¹ times it, by the factors L D L'; not a number in a lane where M is not positive definite.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    pub(super) fn solve(&self, right: &mut [Lanes<L>]) {
+        let factors = self.factors();
+        for (i, [second, first, _]) in factors.iter().enumerate() {
+            if let Some(before) = i.checked_sub(1) {
+                right[i] = right[i] - *first * right[before];
+            }
+            if let Some(before) = i.checked_sub(2) {
+                right[i] = right[i] - *second * right[before];
+            }
+        }
+        for i in (0..factors.len()).rev() {
+            right[i] = right[i] / factors[i][2];
+            for (places, row) in factors[i + 1..].iter().take(2).enumerate() {
+                right[i] = right[i] - row[1 - places] * right[i + 1 + places];
+            }
+        }
+    }
+
+    /// Of each row of the factors the entries of L two and one place before the diagonal, and that of D.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    fn factors(&self) -> Vec<FactorRow<Lanes<L>>> {
+        let [zero, one] = [0.0, 1.0].map(Lanes::all);
+        // Before the first row stands a matrix that is one.
+        let mut before = [[zero, zero, one]; 2];
+        let rows = self.rows.iter().enumerate();
+        rows.map(|(i, &[second, first, diagonal])| {
+            let second = if i < 2 { zero } else { second };
+            let first = if i < 1 { zero } else { first };
+            let [second, first, variance] = next_factor([second, first, diagonal], before);
+            let positive = variance.if_positive(variance, Lanes::all(f64::NAN));
+            before = [[second, first, positive], before[0]];
+            before[0]
+        })
+        .collect()
+    }
+}
+
+impl Banded<1> {
     /// x' M x.
     pub(super) fn quadratic(&self, x: &DVector<f64>) -> f64 {
         let terms = self.rows.iter().enumerate();
         terms
             .map(|(i, row)| {
+                let [second, first, diagonal] = row.map(|entry| entry.0[0]);
                 let before = |places: usize| i.checked_sub(places).map_or(0.0, |place| x[place]);
-                x[i] * (row[2] * x[i] + 2.0 * (row[1] * before(1) + row[0] * before(2)))
+                x[i] * (diagonal * x[i] + 2.0 * (first * before(1) + second * before(2)))
             })
             .sum()
     }
 
-    /// M⁻¹ times a matrix, by the factors L D L'; `None` unless M is positive definite.
-    pub(super) fn solve(&self, mut right: DMatrix<f64>) -> Option<DMatrix<f64>> {
-        let factors = self.factors()?;
-        let count = factors.len();
+    /// M⁻¹ times a matrix; `None` unless M is positive definite.
+    pub(super) fn solve_columns(&self, mut right: DMatrix<f64>) -> Option<DMatrix<f64>> {
         for mut column in right.column_iter_mut() {
-            for i in 0..count {
-                let before = |places: usize| i.checked_sub(places).map_or(0.0, |it| column[it]);
-                let [second, first, _] = factors[i];
-                column[i] -= second * before(2) + first * before(1);
-            }
-            for i in (0..count).rev() {
-                let after = |places: usize| {
-                    let entry = factors.get(i + places).map(|row| row[2 - places]);
-                    entry.map_or(0.0, |entry| entry * column[i + places])
-                };
-                column[i] = column[i] / factors[i][2] - after(1) - after(2);
+            let mut solved: Vec<Lanes<1>> = column.iter().map(|&entry| Lanes([entry])).collect();
+            self.solve(&mut solved);
+            for (entry, Lanes([solved])) in column.iter_mut().zip(solved) {
+                *entry = solved;
             }
         }
-        Some(right)
-    }
-
-    /// Of each row of the factors the entries of L two and one place before the diagonal, and that of D.
-    fn factors(&self) -> Option<Vec<[f64; 3]>> {
-        let mut factors: Vec<[f64; 3]> = Vec::with_capacity(self.rows.len());
-        // Before the first row stands a matrix that is one.
-        let [mut one, mut two] = [[0.0, 0.0, 1.0]; 2];
-        for (i, &[second, first, diagonal]) in self.rows.iter().enumerate() {
-            let second = if i < 2 { 0.0 } else { second };
-            let first = if i < 1 { 0.0 } else { first };
-            let factor = next_factor([second, first, diagonal], [one, two]);
-            if factor[2].is_nan() || factor[2] <= 0.0 {
-                return None;
-            }
-            (two, one) = (one, factor);
-            factors.push(one);
-        }
-        Some(factors)
+        right.iter().all(|entry| entry.is_finite()).then_some(right)
     }
 }
 
@@ -116,15 +135,16 @@ mod tests {
     use nalgebra::{Cholesky, DMatrix, DVector};
 
     use super::Banded;
+    use crate::simd::Lanes;
 
     /// Some positive definite bands, and the same as a dense matrix.
-    fn example(rows: usize) -> (Banded, DMatrix<f64>) {
+    fn example(rows: usize) -> (Banded<1>, DMatrix<f64>) {
         let mut banded = Banded::default();
         let mut dense = DMatrix::zeros(rows, rows);
         for i in 0..rows {
             let wave = (i as f64).sin();
             let row = [0.3 * wave, 0.7 - 0.2 * wave, 3.0 + wave];
-            banded.push(row);
+            banded.push(row.map(Lanes::all));
             for places in 0..=i.min(2) {
                 dense[(i, i - places)] = row[2 - places];
                 dense[(i - places, i)] = row[2 - places];
@@ -139,7 +159,7 @@ mod tests {
             let (banded, dense) = example(rows);
             let right = DMatrix::from_fn(rows, 2, |i, j| (3 * i + j) as f64 - 2.0);
             let expected = Cholesky::new(dense).unwrap().solve(&right);
-            assert!((banded.solve(right).unwrap() - expected).amax() < 1e-12);
+            assert!((banded.solve_columns(right).unwrap() - expected).amax() < 1e-12);
         }
     }
 
@@ -155,9 +175,9 @@ mod tests {
 
     #[test]
     fn what_is_not_positive_definite_is_not_solved() {
-        let mut banded = Banded::default();
-        banded.push([0.0, 0.0, 1.0]);
-        banded.push([0.0, 2.0, 1.0]);
-        assert!(banded.solve(DMatrix::zeros(2, 1)).is_none());
+        let mut banded = Banded::<1>::default();
+        banded.push([0.0, 0.0, 1.0].map(Lanes::all));
+        banded.push([0.0, 2.0, 1.0].map(Lanes::all));
+        assert!(banded.solve_columns(DMatrix::zeros(2, 1)).is_none());
     }
 }

@@ -11,6 +11,8 @@ use super::likelihood::Differences;
 use super::model::{Model, Slot};
 use super::residual::Noise;
 use super::sampled::{DrawnDrop, SampledPosterior};
+use crate::simd::Lanes;
+use crate::stats::sort_by_number;
 
 /// What one source adds to the uncertainty of a quantity.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,9 +73,9 @@ struct Linear {
     covariance: DMatrix<f64>,
     /// What one unit of each residual moves the unknowns by.
     gain: DMatrix<f64>,
-    by_time: Banded,
-    by_scatter: Banded,
-    by_release: Banded,
+    by_time: Banded<1>,
+    by_scatter: Banded<1>,
+    by_release: Banded<1>,
 }
 
 impl Linear {
@@ -85,9 +87,10 @@ impl Linear {
             ..
         } = model.differences(vector)?;
         let noise = Noise::new(&model.observed.sigma_s, &[point]);
-        let [by_time, by_scatter, by_release] = noise.covariances(&details);
+        let weights = details.innovations.iter().map(|it| Lanes([it.weight]));
+        let [by_time, by_scatter, by_release] = noise.covariances(&details.residuals, weights);
         let covariance = Banded::sum([&by_time, &by_scatter, &by_release]);
-        let precise = covariance.solve(slopes.clone())?;
+        let precise = covariance.solve_columns(slopes.clone())?;
         let priors = model
             .slots()
             .iter()
@@ -108,7 +111,7 @@ impl Linear {
     /// Variance of a quantity with this gradient by the unknowns, source by source.
     fn sources(&self, gradient: &DVector<f64>, model: &Model) -> Vec<(&'static str, f64)> {
         let pull = self.gain.transpose() * gradient;
-        let of_noise = |noise: &Banded| noise.quadratic(&pull);
+        let of_noise = |noise: &Banded<1>| noise.quadratic(&pull);
         let mut sources = vec![
             ("impact-timing", of_noise(&self.by_time)),
             ("restitution-scatter", of_noise(&self.by_scatter)),
@@ -251,6 +254,6 @@ fn shares(sources: Vec<(&'static str, f64)>) -> Vec<Share> {
             share: variance / total,
         })
         .collect();
-    shares.sort_by(|a, b| b.share.total_cmp(&a.share));
+    sort_by_number(&mut shares, |share| -share.share);
     shares
 }

@@ -187,7 +187,7 @@ fn detected_height_m(posterior: &SampledPosterior, law: LawKind, media: usize) -
         ..*posterior
     };
     let model = without.model_of(law, media, 0, 0);
-    let fit = fit::best_fit(&model, model.start())?;
+    let fit = fit::best_fit(&model, model.start(), f64::NEG_INFINITY)?;
     let point = model.point(fit.vector.as_slice())?;
     model.drop_height_m(&point)
 }

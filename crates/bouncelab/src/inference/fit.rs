@@ -22,10 +22,10 @@ impl Fit {
     }
 }
 
-/// Distance from the best fit, in standard deviations, at which the search ends. The sampling would
-/// mind less, but so the end does not depend on the way there, and the answer not on the last bit of a
-/// machine's arithmetic.
-const NEAR: f64 = 1e-3;
+/// Distance from the best fit, in standard deviations, from which one more step leads so near to it that nothing there
+/// need be worked out: to about a thousandth. The sampling would mind less, but so the end does not depend on the way
+/// there.
+const NEAR: f64 = 1e-2;
 
 const MOST_STEPS: usize = 40;
 
@@ -49,42 +49,87 @@ const SHORT: f64 = 1.0 / 256.0;
 /// the curvature at the maximum.
 const LARGE_GAIN: f64 = 1.0;
 
+/// Of a step that promises less than this the whole is hardly ever worse than a part.
+const SMALL_GAIN: f64 = 0.1;
+
+/// Hardly a search gains more than so many times what its next step promises.
+const MOST_GAINED: f64 = 20.0;
+
+/// A vector on the way to the best fit.
+struct Place {
+    vector: DVector<f64>,
+    log_posterior: f64,
+    slope: DVector<f64>,
+    /// The information that is expected there.
+    expected: Cholesky<f64, Dyn>,
+}
+
+impl Place {
+    /// `None` where the vector makes no sense.
+    fn new(model: &Model, vector: DVector<f64>) -> Option<Self> {
+        let differences = model.differences(vector.as_slice())?;
+        Some(Self {
+            log_posterior: differences.log_posterior,
+            slope: differences.slope.clone(),
+            expected: Cholesky::new(model.information(vector.as_slice(), differences))?,
+            vector,
+        })
+    }
+
+    /// The vector after the best part of a step; `None` if none of them leads uphill.
+    fn uphill(&self, model: &Model, step: &DVector<f64>) -> Option<DVector<f64>> {
+        let tried = DMatrix::from_fn(step.len(), PARTS.len(), |unknown, place| {
+            self.vector[unknown] + PARTS[place] * step[unknown]
+        });
+        let found = model.log_posteriors(&tried).into_iter().enumerate();
+        let found = found.filter_map(|(place, log)| Some((place, log?)));
+        let (place, highest) = found.max_by(|(_, a), (_, b)| a.total_cmp(b))?;
+        (highest > self.log_posterior).then(|| tried.column(place).into_owned())
+    }
+}
+
 /// Finds the best fit by Fisher scoring: Newton's method with the expected curvature, which is that of
 /// a least-squares fit with weights (M. R. Osborne, Int. Stat. Rev. 60, 99, 1992), corrected by what the
 /// steps before tell of the real one.
 ///
-/// `None` if no vector near the start makes sense.
-pub(super) fn best_fit(model: &Model, start: Vec<f64>) -> Option<Fit> {
-    let mut vector = DVector::from_vec(start);
-    let mut log_posterior = model.log_posterior(vector.as_slice())?;
+/// A search that would end below a least log posterior ends early, where it is. `None` if no vector near the start makes
+/// sense.
+pub(super) fn best_fit(model: &Model, start: Vec<f64>, least: f64) -> Option<Fit> {
+    let mut here = Place::new(model, DVector::from_vec(start))?;
     let mut secants = Secants::default();
-    let (mut slope, information) = model.slope_and_information(vector.as_slice())?;
-    let mut expected = Cholesky::new(information)?;
     for _ in 0..MOST_STEPS {
-        let step = expected.solve(&slope);
-        let promise = slope.dot(&step);
-        if promise < NEAR * NEAR {
-            break;
-        }
+        let expected = here.expected.solve(&here.slope);
+        let promise = here.slope.dot(&expected);
         if promise > LARGE_GAIN {
             secants = Secants::default();
         }
-        let corrected = secants.corrected(&expected, &slope);
-        let better = uphill(model, &vector, &corrected, log_posterior)
-            .or_else(|| uphill(model, &vector, &step, log_posterior))
-            .or_else(|| uphill(model, &vector, &(SHORT * &step), log_posterior));
-        let Some((next, better)) = better else {
+        if here.log_posterior + MOST_GAINED * promise < least {
             break;
+        }
+        let step = secants.corrected(&here.expected, &here.slope);
+        if promise < NEAR * NEAR {
+            here.log_posterior += 0.5 * here.slope.dot(&step);
+            here.vector += step;
+            break;
+        }
+        let whole = (promise < SMALL_GAIN).then(|| Place::new(model, &here.vector + &step));
+        let higher = |it: &Place| it.log_posterior > here.log_posterior;
+        let next = if let Some(next) = whole.flatten().filter(higher) {
+            next
+        } else {
+            let steps = [&step, &expected, &(SHORT * &expected)];
+            let Some(next) = steps.into_iter().find_map(|step| here.uphill(model, step)) else {
+                break;
+            };
+            Place::new(model, next)?
         };
-        let (next_slope, information) = model.slope_and_information(next.as_slice())?;
-        secants.add(&next - &vector, &slope - &next_slope);
-        expected = Cholesky::new(information)?;
-        (vector, slope, log_posterior) = (next, next_slope, better);
+        secants.add(&next.vector - &here.vector, &here.slope - &next.slope);
+        here = next;
     }
     Some(Fit {
-        covariance: expected.inverse(),
-        vector,
-        log_posterior,
+        covariance: here.expected.inverse(),
+        vector: here.vector,
+        log_posterior: here.log_posterior,
     })
 }
 
@@ -124,26 +169,6 @@ impl Secants {
         }
         corrected
     }
-}
-
-/// The vector after the best part of a step, and its log posterior; `None` if none of them leads uphill.
-fn uphill(
-    model: &Model,
-    from: &DVector<f64>,
-    step: &DVector<f64>,
-    log_posterior: f64,
-) -> Option<(DVector<f64>, f64)> {
-    let tried = DMatrix::from_fn(from.len(), PARTS.len(), |unknown, place| {
-        from[unknown] + PARTS[place] * step[unknown]
-    });
-    let mut best = None;
-    let mut highest = log_posterior;
-    for (place, found) in model.log_posteriors(&tried).into_iter().enumerate() {
-        if let Some(found) = found.filter(|found| *found > highest) {
-            (best, highest) = (Some(place), found);
-        }
-    }
-    best.map(|place| (tried.column(place).into_owned(), highest))
 }
 
 #[cfg(test)]

@@ -20,12 +20,11 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::banded::{FactorRow, next_factor};
-use super::model::{Height, Model, Point, Slot};
-use super::priors::Measured;
+use super::model::{Model, Point, Slot};
 use super::residual::{End, InitialFall, Noise, Residual};
 use super::scatter_prior;
 use super::tail::{FREEDOM, Tail};
-use super::timed_flights::FlightsAtStrength;
+use super::trials::Trials;
 use crate::flight::table::FlightTable;
 use crate::impact::Restitutions;
 use crate::simd::{LANES, Lanes, dispatch};
@@ -33,9 +32,6 @@ use crate::simd::{LANES, Lanes, dispatch};
 /// Beyond about so many standard deviations an innovation is odd, and says nothing of its
 /// neighbours.
 const ODD: f64 = 3.0;
-
-/// Steps of Newton's method for a value that need not be exact.
-const ROUGH: usize = 1;
 
 /// So many factors of a likelihood are multiplied before their logarithm is taken: none is so small or large
 /// that their product leaves the range of numbers.
@@ -60,23 +56,14 @@ pub(super) struct Details {
     factors: Vec<Factor>,
 }
 
-/// A vector that is tried, with what it stands for.
-#[derive(Debug, Clone, Copy)]
-struct Trial<'a, 'v> {
-    vector: &'v [f64],
-    point: Point,
-    fall: InitialFall,
-    table: FlightTable<'a>,
-    flights: FlightsAtStrength<'a>,
-}
-
 /// What a vector says, and the derivatives there by the unknowns.
 pub(super) struct Differences {
     pub(super) details: Details,
     /// Of each residual, in a row.
     pub(super) residuals: DMatrix<f64>,
-    /// Of the log posterior.
-    posterior: DVector<f64>,
+    pub(super) log_posterior: f64,
+    /// Derivatives of the log posterior.
+    pub(super) slope: DVector<f64>,
 }
 
 /// Is told, of each vector by its column, each step by its row, in this lane.
@@ -102,66 +89,20 @@ struct Step<'r, const L: usize> {
     innovation: Lanes<L>,
 }
 
-/// What the likelihood at a point is made of.
-pub(super) struct Evaluation<'a> {
-    pub(super) fall: InitialFall,
-    pub(super) table: FlightTable<'a>,
+/// What the likelihood at points is made of.
+pub(super) struct Evaluation<'a, const L: usize> {
+    pub(super) falls: [InitialFall; L],
+    pub(super) tables: [FlightTable<'a>; L],
     /// The fall as the first impact detected sees it, and each interval.
-    pub(super) ends: Vec<End<1>>,
-    pub(super) details: Details,
+    pub(super) ends: Vec<End<L>>,
+    /// Each residual, and its weight in the fit.
+    pub(super) residuals: Vec<Residual<L>>,
+    pub(super) weights: Vec<Lanes<L>>,
 }
 
 impl<'a> Model<'a> {
-    /// The values that a vector stands for; `None` where it makes no sense.
-    pub(super) fn point(&self, vector: &[f64]) -> Option<Point> {
-        let point = self.values(vector)?;
-        self.with_fall(point, &self.table(&point)?, vector)
-    }
-
-    /// The same with the fall, which takes flights to tell.
-    fn with_fall(&self, mut point: Point, table: &FlightTable, vector: &[f64]) -> Option<Point> {
-        let place = vector[self.place(Slot::Height)?];
-        match self.height() {
-            Height::Speed => point.fall_launch_m_s = place.exp(),
-            Height::Measured(Measured { value, sd }) => {
-                let gravity_height = point.gravity_m_s2 * (value + sd * place);
-                point.fall_launch_m_s = table.rising_to(gravity_height)?;
-            }
-            Height::FromFirstFlight => {
-                let noise = self.first_noise(&point);
-                let suggested = self.suggested_launch(&point, table)?;
-                point.fall_launch_m_s = suggested * (noise * place).exp();
-                point.log_height_unit = noise.ln();
-            }
-        }
-        Some(point)
-    }
-
-    /// About the launch that would rise to the drop height, by the first flight and the law. Any smooth
-    /// function of the unknowns serves: one step of Newton's method is near enough.
-    fn suggested_launch(&self, point: &Point, table: &FlightTable) -> Option<f64> {
-        let first = self.observed.intervals[0];
-        let flight_s = first.duration_s / first.flights as f64 - point.contact_time_s;
-        let launch = table.lasting(point.gravity_m_s2 * flight_s)?.launch;
-        table.launch_leading_to(point.impact_before(launch, ROUGH)?, ROUGH)
-    }
-
-    /// About the standard deviation of ln(launch speed) after the first impact detected, given the fall.
-    fn first_noise(&self, point: &Point) -> f64 {
-        let observed = self.observed;
-        let square = |x: f64| x * x;
-        let sigma_s = square(observed.sigma_s[0]) + square(observed.sigma_s[1]);
-        let timing = square(point.timing / observed.intervals[0].duration_s) * sigma_s;
-        (square(point.scatter) + timing).sqrt()
-    }
-
-    /// Logarithm of prior times likelihood, but for a constant that all models of the same data
-    /// share; `None` where the vector makes no sense.
-    pub(super) fn log_posterior(&self, vector: &[f64]) -> Option<f64> {
-        self.log_posteriors(&DMatrix::from_column_slice(vector.len(), 1, vector))[0]
-    }
-
-    /// The same of many vectors, each in a column: several at once are faster than one after the other.
+    /// Logarithm of prior times likelihood of vectors, each in a column, but for a constant that all models of the same data
+    /// share; `None` for one that makes no sense. Several at once are faster than one after the other.
     pub(super) fn log_posteriors(&self, vectors: &DMatrix<f64>) -> Vec<Option<f64>> {
         self.log_posteriors_observed(vectors, None)
     }
@@ -172,35 +113,24 @@ impl<'a> Model<'a> {
         mut observer: Option<Observer>,
     ) -> Vec<Option<f64>> {
         let columns = vectors.as_slice().chunks_exact(vectors.nrows());
-        let mut trials = columns.map(|vector| self.trial(vector)).enumerate();
-        let mut logs = vec![None; vectors.ncols()];
-        loop {
-            let group: Vec<_> = trials.by_ref().take(LANES).collect();
-            if group.is_empty() {
-                return logs;
-            }
-            let sound = group.iter();
-            let sound: Vec<(usize, &Trial)> = sound
-                .filter_map(|(place, it)| Some((*place, it.as_ref()?)))
-                .collect();
-            let Some(last) = sound.len().checked_sub(1) else {
-                continue;
-            };
+        let columns: Vec<&[f64]> = columns.collect();
+        let mut logs = Vec::with_capacity(columns.len());
+        for group in columns.chunks(LANES) {
+            let first = logs.len();
             // The lanes that are left over do the work of the last vector again.
-            let lanes = std::array::from_fn::<_, LANES, _>(|lane| sound[lane.min(last)].1);
+            let lanes = std::array::from_fn::<_, LANES, _>(|lane| group[lane.min(group.len() - 1)]);
             let mut row = 0;
-            let found = self.log_posteriors_of(lanes, &mut |step, _| {
+            let found = self.log_posteriors_in_lanes(&lanes, &mut |step| {
                 if let Some(observer) = &mut observer {
-                    for (lane, (column, _)) in sound.iter().enumerate() {
-                        observer(*column, row, step, lane);
+                    for lane in 0..group.len() {
+                        observer(first + lane, row, step, lane);
                     }
                 }
                 row += 1;
             });
-            for ((place, _), log) in sound.iter().zip(found) {
-                logs[*place] = log;
-            }
+            logs.extend_from_slice(&found[..group.len()]);
         }
+        logs
     }
 
     /// What each impact adds to the likelihood at a vector; `None` where it makes no sense.
@@ -212,101 +142,80 @@ impl<'a> Model<'a> {
         Some(details)
     }
 
-    /// What the likelihood at a point is made of; `None` where it makes no sense.
-    pub(super) fn evaluate(&self, point: &Point) -> Option<Evaluation<'a>> {
-        let trial = self.trial_in(&[], *point, self.table(point)?)?;
-        let mut details = Details::default();
+    /// What the likelihood at points is made of; `None` where one of them makes no sense.
+    pub(super) fn evaluate<const L: usize>(
+        &self,
+        points: &[Point; L],
+    ) -> Option<Evaluation<'a, L>> {
+        let trials = self.trials_at(points)?;
+        let mut evaluation = Evaluation {
+            falls: trials.falls,
+            tables: trials.tables,
+            ends: Vec::with_capacity(self.rows_of_data() + 1),
+            residuals: Vec::with_capacity(self.rows_of_data()),
+            weights: Vec::with_capacity(self.rows_of_data()),
+        };
         // A release is compared with the fall; without one the first step is that of the first interval.
-        let mut ends = Vec::new();
         if self.release_s.is_none() {
-            ends.push(InitialFall::end(&[trial.fall]));
+            evaluation.ends.push(InitialFall::end(&evaluation.falls));
         }
-        self.log_posteriors_of([&trial], &mut |step, end| {
-            details.add(step, 0);
-            ends.push(*end);
-        })[0]?;
-        Some(Evaluation {
-            fall: trial.fall,
-            table: trial.table,
-            ends,
-            details,
-        })
-    }
-
-    /// The drop height that a point stands for, m.
-    pub(super) fn drop_height_m(&self, point: &Point) -> Option<f64> {
-        let (gravity_height, _) = self.table(point)?.apex(point.fall_launch_m_s)?;
-        Some(gravity_height / point.gravity_m_s2)
-    }
-
-    /// The flights under the drag of a point; `None` if it is absurd.
-    pub(super) fn table(&self, point: &Point) -> Option<FlightTable<'a>> {
-        self.media.flights.at(point.drag_strength)
-    }
-
-    fn trial<'v>(&self, vector: &'v [f64]) -> Option<Trial<'a, 'v>> {
-        let point = self.values(vector)?;
-        let table = self.table(&point)?;
-        let point = self.with_fall(point, &table, vector)?;
-        self.trial_in(vector, point, table)
-    }
-
-    fn trial_in<'v>(
-        &self,
-        vector: &'v [f64],
-        point: Point,
-        table: FlightTable<'a>,
-    ) -> Option<Trial<'a, 'v>> {
-        let tables = &self.media.flights;
-        Some(Trial {
-            vector,
-            point,
-            fall: InitialFall::new(&table, &point, self.missed_first)?,
-            table,
-            flights: self.timed_flights.at(tables, point.drag_strength)?,
-        })
-    }
-
-    /// Logarithm of prior times likelihood of each trial, with every step told, and the interval or fall that ends at its
-    /// impact.
-    fn log_posteriors_of<const L: usize>(
-        &self,
-        trials: [&Trial; L],
-        tell: &mut dyn FnMut(&Step<L>, &End<L>),
-    ) -> [Option<f64>; L] {
-        let log_likelihood = dispatch(
+        let logs = dispatch(
             #[inline(always)]
-            || self.log_likelihood(&trials, tell),
+            || {
+                self.log_likelihood(&trials, &mut |step, end| {
+                    evaluation.ends.push(*end);
+                    evaluation.residuals.push(*step.residual);
+                    evaluation.weights.push(step.tail.weight(step.square));
+                })
+            },
         );
-        std::array::from_fn(|lane| {
-            let Trial {
-                vector,
-                point,
-                fall,
-                ..
-            } = trials[lane];
-            let prior = self.log_prior(vector, fall.height_slope);
-            let total = prior + point.log_height_unit + log_likelihood.0[lane];
-            total.is_finite().then_some(total)
-        })
+        let sound = trials
+            .sound
+            .iter()
+            .zip(logs.0)
+            .all(|(sound, log)| *sound && log.is_finite());
+        sound.then_some(evaluation)
+    }
+
+    /// Logarithm of prior times likelihood of each vector, with every step told.
+    fn log_posteriors_in_lanes<const L: usize>(
+        &self,
+        vectors: &[&[f64]; L],
+        tell: &mut dyn FnMut(&Step<L>),
+    ) -> [Option<f64>; L] {
+        dispatch(
+            #[inline(always)]
+            || {
+                let Some(trials) = self.trials(vectors) else {
+                    return [None; L];
+                };
+                let height_slope = Lanes::of(|lane| trials.falls[lane].height_slope);
+                let log_unit = Lanes::of(|lane| trials.points[lane].log_height_unit);
+                let log_likelihood = self.log_likelihood(&trials, &mut |step, _| tell(step));
+                let total = self.log_prior(vectors, height_slope) + log_unit + log_likelihood;
+                std::array::from_fn(|lane| {
+                    let sound = trials.sound[lane] && total.0[lane].is_finite();
+                    sound.then_some(total.0[lane])
+                })
+            },
+        )
     }
 
     /// Student's t of every innovation, in order of time, as a density of the times.
-    #[inline(always)]
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn log_likelihood<const L: usize>(
         &self,
-        trials: &[&Trial; L],
+        trials: &Trials<L>,
         tell: &mut dyn FnMut(&Step<L>, &End<L>),
     ) -> Lanes<L> {
         let observed = self.observed;
-        let points = trials.map(|trial| trial.point);
+        let Trials { points, falls, .. } = trials;
         let laws = Restitutions::of(&points.map(|point| point.law));
-        let falls = trials.map(|trial| trial.fall);
-        let mut likelihood = Likelihood::new(Noise::new(&observed.sigma_s, &points));
-        let mut before = InitialFall::end(&falls);
+        let mut likelihood = Likelihood::new(Noise::new(&observed.sigma_s, points));
+        let mut before = InitialFall::end(falls);
         if let Some(release_s) = self.release_s {
             let first_s = observed.impacts[0].time_s;
-            let residual = Residual::of_release(first_s, release_s, &falls);
+            let residual = Residual::of_release(first_s, release_s, falls);
             tell(&likelihood.add(&residual), &before);
         }
         let mut jacobian = Product::default();
@@ -322,51 +231,32 @@ impl<'a> Model<'a> {
 
     /// An interval under each of the trials.
     #[inline(always)]
-    fn end<const L: usize>(&self, interval: usize, trials: &[&Trial; L]) -> End<L> {
+    fn end<const L: usize>(&self, interval: usize, trials: &Trials<L>) -> End<L> {
         let observed = &self.observed.intervals[interval];
         let flights = observed.flights as f64;
-        let gravity = Lanes::of(|lane| trials[lane].point.gravity_m_s2);
-        let contact_s = Lanes::of(|lane| trials[lane].point.contact_time_s);
+        let gravity = Lanes::of(|lane| trials.points[lane].gravity_m_s2);
+        let contact_s = Lanes::of(|lane| trials.points[lane].contact_time_s);
         let gravity_time = gravity * (-(contact_s * flights) + observed.duration_s);
         if observed.flights > 1 {
             return End::gather(std::array::from_fn(|lane| {
-                let Trial { table, point, .. } = trials[lane];
+                let (table, point) = (&trials.tables[lane], &trials.points[lane]);
                 End::of_gap(table, gravity_time.0[lane], observed.flights, point)
             }));
         }
-        let mut curves = [Lanes::all(0.0); 6];
-        for (lane, trial) in trials.iter().enumerate() {
-            let own = trial.flights.curves(interval);
-            for (curves, own) in curves.iter_mut().zip(own) {
-                curves.0[lane] = own;
-            }
-        }
+        let curves = trials.flights.curves(interval);
         let per_nominal = self.timed_flights.per_nominal(interval);
         End::of_flight(&curves, gravity, gravity_time, per_nominal)
-    }
-
-    /// Slope and curvature of the log posterior at a vector.
-    pub(super) fn slope_and_information(
-        &self,
-        vector: &[f64],
-    ) -> Option<(DVector<f64>, DMatrix<f64>)> {
-        let Differences {
-            details,
-            residuals,
-            posterior,
-        } = self.differences(vector)?;
-        Some((posterior, self.information(vector, residuals, &details)))
     }
 
     /// The information about the unknowns at a vector, by the derivatives of the residuals: how fast the
     /// log posterior falls off in each direction. Exact for a normal posterior, and near enough for a
     /// search.
-    fn information(
-        &self,
-        vector: &[f64],
-        mut slopes: DMatrix<f64>,
-        details: &Details,
-    ) -> DMatrix<f64> {
+    pub(super) fn information(&self, vector: &[f64], differences: Differences) -> DMatrix<f64> {
+        let Differences {
+            details,
+            residuals: mut slopes,
+            ..
+        } = differences;
         details.whiten(&mut slopes);
         let mut weighted = slopes.clone();
         for (mut row, innovation) in weighted.row_iter_mut().zip(&details.innovations) {
@@ -419,7 +309,8 @@ impl<'a> Model<'a> {
         Some(Differences {
             details,
             residuals,
-            posterior: DVector::from_fn(unknowns, |unknown, _| slope(unknown)),
+            slope: DVector::from_fn(unknowns, |unknown, _| slope(unknown)),
+            log_posterior: logs[2 * unknowns],
         })
     }
 
@@ -649,15 +540,15 @@ pub(super) mod tests {
     }
 
     fn values_at(model: &Model, point: Point) -> Vec<f64> {
-        let residuals = details_at(model, point).residuals;
+        let residuals = residuals_at(model, point);
         residuals
             .iter()
             .map(|residual| residual.value.0[0])
             .collect()
     }
 
-    fn details_at(model: &Model, point: Point) -> Details {
-        model.evaluate(&point).unwrap().details
+    fn residuals_at(model: &Model, point: Point) -> Vec<Residual<1>> {
+        model.evaluate(&[point]).unwrap().residuals
     }
 
     /// The derivatives by the times, gaps included, against moving each time a little. The middle of
@@ -668,7 +559,7 @@ pub(super) mod tests {
         let impacts = impacts();
         let residuals = with_model(&impacts, |model, vector| {
             let point = model.point(vector).unwrap();
-            details_at(model, point).residuals
+            residuals_at(model, point)
         });
         let pinned = |moved: usize, by_s: f64| {
             let mut times = impacts.clone();
@@ -738,7 +629,7 @@ pub(super) mod tests {
     fn missed_impacts_scatter() {
         let residuals = with_model(&impacts(), |model, vector| {
             let point = model.point(vector).unwrap();
-            details_at(model, point).residuals
+            residuals_at(model, point)
         });
         let [scatter, before] = [
             residuals
@@ -764,8 +655,9 @@ pub(super) mod tests {
             vectors[(0, 4)] = f64::NAN;
             let together = model.log_posteriors(&vectors);
             assert_eq!(together[4], None);
-            for (vector, together) in vectors.column_iter().zip(together) {
-                assert_eq!(together, model.log_posterior(vector.as_slice()));
+            for (number, together) in together.into_iter().enumerate() {
+                let alone = model.log_posteriors(&vectors.columns(number, 1).into_owned());
+                assert_eq!(alone, [together]);
             }
         });
     }

@@ -63,6 +63,7 @@ mod scatter_prior;
 mod smoothing;
 mod tail;
 mod timed_flights;
+mod trials;
 
 pub use budget::{Budget, Share};
 pub use identify::{Correlations, PriorContraction, UNINFORMATIVE, Unknown};

@@ -7,10 +7,11 @@ use super::timed_flights::TimedFlights;
 use crate::ball::Ball;
 use crate::drag::DragLaw;
 use crate::error::{Error, InferenceFailure, Result};
-use crate::flight::table::{DragProfile, FlightTables, Row};
+use crate::flight::table::{DragProfile, FlightTables, MAX_STEPS, Row};
 use crate::flight::{Environment, FlightModel};
 use crate::impact::Restitution;
-use crate::stats::{logistic, softplus};
+use crate::simd::Lanes;
+use crate::stats::logistic;
 use crate::stats::{median, robust_sd};
 
 /// Prior of the slope -d ln e/d ln v, and of the fall above a knee.
@@ -20,6 +21,9 @@ const KNEE_FALL: f64 = 0.05;
 /// Prior of the slope in the middle of a smooth law, and of its random walk for a factor e in speed.
 const SMOOTH_SLOPE: f64 = 0.03;
 const SLOPE_WALK: f64 = 0.05;
+
+/// A law that keeps less of a change of the impact speed than this part is taken to keep it: Newton's method needs a slope.
+pub(super) const LEAST_KEPT: f64 = 0.1;
 
 /// Makes the logistic of a standard normal nearly uniform from 0 to 1.
 const KNEE_PLACE: f64 = 1.6;
@@ -143,13 +147,12 @@ pub(super) struct Point {
 }
 
 impl Point {
-    /// The impact speed that the law turns into a launch speed, by at most so many steps of Newton's
-    /// method.
-    pub(super) fn impact_before(&self, launch: f64, steps: usize) -> Option<f64> {
+    /// The impact speed that the law turns into a launch speed.
+    pub(super) fn impact_before(&self, launch: f64) -> Option<f64> {
         let mut impact = launch / self.law.at(launch);
-        for _ in 0..steps {
+        for _ in 0..MAX_STEPS {
             let (restitution, log_slope) = self.law.at_with_log_slope(impact);
-            let step = (launch / (impact * restitution)).ln() / (1.0 + log_slope).max(0.1);
+            let step = (launch / (impact * restitution)).ln() / (1.0 + log_slope).max(LEAST_KEPT);
             impact *= step.exp();
             if step.abs() < 1e-9 {
                 break;
@@ -363,31 +366,37 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// The values that a vector stands for, but for the fall, which takes flights to tell; `None` where
-    /// the law makes no sense.
-    pub(super) fn values(&self, vector: &[f64]) -> Option<Point> {
-        let mut values = [0.0; 11];
-        for (slot, &value) in self.slots.iter().zip(vector) {
-            values[index(*slot)] = value;
+    /// The values that vectors stand for, but for the fall, which takes flights to tell; `None` where the law makes no sense.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    pub(super) fn values<const L: usize>(&self, vectors: &[&[f64]; L]) -> [Option<Point>; L] {
+        let mut values = [Lanes::<L>::all(0.0); 11];
+        for (place, slot) in self.slots.iter().enumerate() {
+            values[index(*slot)] = Lanes::of(|lane| vectors[lane][place]);
         }
         let at = |slot: Slot| values[index(slot)];
-        let inputs = &self.media.inputs;
-        let restitution = logistic(at(Slot::Restitution));
-        let drag_scale = (self.media.drag_sd * at(Slot::Drag)).exp();
+        let (media, inputs) = (self.media, &self.media.inputs);
+        let restitution = Lanes::all(1.0) / ((-at(Slot::Restitution)).exp() + 1.0);
+        let drag_scale = (at(Slot::Drag) * media.drag_sd).exp();
         let log_inputs =
-            inputs.drag_on_gravity * at(Slot::Gravity) + inputs.drag_sd * at(Slot::Inputs);
-        let shapes = [0, 1, 2].map(|number| at(Slot::Shape(number)));
-        Some(Point {
-            law: self.restitution(restitution, shapes).ok()?,
-            drag_scale,
-            drag_strength: drag_scale * log_inputs.exp(),
-            gravity_m_s2: self.media.gravity_m_s2 * (inputs.gravity_sd * at(Slot::Gravity)).exp(),
-            fall_launch_m_s: f64::NAN,
-            log_height_unit: 0.0,
-            scatter: self.typical_scatter * scatter_prior::factor(at(Slot::Scatter)),
-            timing: (self.timing_sd * at(Slot::Timing)).exp(),
-            contact_time_s: self.media.contact_time_s
-                * (self.media.contact_sd * at(Slot::Contact)).exp(),
+            at(Slot::Gravity) * inputs.drag_on_gravity + at(Slot::Inputs) * inputs.drag_sd;
+        let drag_strength = drag_scale * log_inputs.exp();
+        let gravity_m_s2 = (at(Slot::Gravity) * inputs.gravity_sd).exp() * media.gravity_m_s2;
+        let scatter = scatter_prior::factors(at(Slot::Scatter)) * self.typical_scatter;
+        let timing = (at(Slot::Timing) * self.timing_sd).exp();
+        let contact_time_s = (at(Slot::Contact) * media.contact_sd).exp() * media.contact_time_s;
+        std::array::from_fn(|lane| {
+            let shapes = [0, 1, 2].map(|number| at(Slot::Shape(number)).0[lane]);
+            Some(Point {
+                law: self.restitution(restitution.0[lane], shapes).ok()?,
+                drag_scale: drag_scale.0[lane],
+                drag_strength: drag_strength.0[lane],
+                gravity_m_s2: gravity_m_s2.0[lane],
+                fall_launch_m_s: f64::NAN,
+                log_height_unit: 0.0,
+                scatter: scatter.0[lane],
+                timing: timing.0[lane],
+                contact_time_s: contact_time_s.0[lane],
+            })
         })
     }
 
@@ -458,17 +467,27 @@ impl<'a> Model<'a> {
             .collect()
     }
 
-    /// Logarithm of the prior density of a vector whose fall has this d ln(height)/d ln(launch).
-    pub(super) fn log_prior(&self, vector: &[f64], height_slope: f64) -> f64 {
-        let mut sum = 0.0;
-        for (slot, &value) in self.slots.iter().zip(vector) {
-            sum += match slot {
+    /// Logarithm of the prior density of vectors whose falls have these d ln(height)/d ln(launch).
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    pub(super) fn log_prior<const L: usize>(
+        &self,
+        vectors: &[&[f64]; L],
+        height_slope: Lanes<L>,
+    ) -> Lanes<L> {
+        let mut sum = Lanes::all(0.0);
+        for (place, slot) in self.slots.iter().enumerate() {
+            let value = Lanes::of(|lane| vectors[lane][place]);
+            let log = match slot {
                 // Flat in e: de/d(logit) = e (1 - e).
-                Slot::Restitution => -softplus(-value) - softplus(value),
+                Slot::Restitution => {
+                    let off = -value.abs();
+                    off - (off.exp() + 1.0).ln() * 2.0
+                }
                 // Flat in ln h.
                 Slot::Height if self.height_m.is_none() => height_slope.ln(),
-                _ => -0.5 * value * value,
+                _ => value * value * -0.5,
             };
+            sum = sum + log;
         }
         sum
     }

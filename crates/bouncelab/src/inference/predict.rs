@@ -4,14 +4,14 @@ use std::array;
 use std::ops::ControlFlow;
 
 use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::Xoshiro256PlusPlus;
 
 use super::model::{Model, Point};
 use super::priors::Priors;
 use super::sample;
 use super::smoothing::DropState;
 use super::tail;
-use crate::flight::table::{BlendedTable, MAX_STEPS};
+use crate::flight::table::BlendedTable;
 use crate::impact::Restitutions;
 use crate::simd::{LANES, Lanes, dispatch};
 
@@ -34,7 +34,7 @@ pub(super) struct Future {
     loss_exponent: f64,
     /// Whether the law goes on until rest, whatever it loses.
     law_goes_on: bool,
-    pub(super) rng: ChaCha8Rng,
+    pub(super) rng: Xoshiro256PlusPlus,
 }
 
 impl Future {
@@ -44,7 +44,7 @@ impl Future {
         Self {
             loss_exponent: exponent.max(0.0),
             law_goes_on: priors.slow_loss_exponent == 0.0,
-            rng: ChaCha8Rng::seed_from_u64(number.into()),
+            rng: Xoshiro256PlusPlus::seed_from_u64(number.into()),
         }
     }
 }
@@ -229,8 +229,8 @@ pub(super) fn drop_height_for(
     let table = model.table(point)?;
     let mut launch = table.rising_to(gravity * apex_m)?;
     for _ in 0..bounce {
-        let impact = point.impact_before(launch, MAX_STEPS)?;
-        launch = table.launch_leading_to(impact, MAX_STEPS)?;
+        let impact = point.impact_before(launch)?;
+        launch = table.launch_leading_to(impact)?;
     }
     Some(table.apex(launch)?.0 / gravity)
 }
@@ -259,9 +259,9 @@ mod tests {
     fn drops_side_by_side_rest_as_alone() {
         with_model(&impacts(), |model, vector| {
             let point = model.point(vector).unwrap();
-            let state = model
-                .drawn_state(&point, &mut ChaCha8Rng::seed_from_u64(1))
-                .unwrap();
+            let mut rng = Xoshiro256PlusPlus::seed_from_u64(1);
+            let drawn = model.drawn_states(&[point], &mut [Some(&mut rng)]);
+            let [state] = drawn.unwrap();
             let drop = |number: u32| {
                 let mut point = point;
                 point.scatter = 1e-3 * f64::from(number);
@@ -283,8 +283,8 @@ mod tests {
     fn a_law_that_falls_to_nothing_does_not_bounce_for_ever() {
         with_model(&impacts(), |model, vector| {
             let mut point = model.point(vector).unwrap();
-            let mut rng = ChaCha8Rng::seed_from_u64(1);
-            let state = model.drawn_state(&point, &mut rng).unwrap();
+            let mut rng = Xoshiro256PlusPlus::seed_from_u64(1);
+            let [state] = model.drawn_states(&[point], &mut [Some(&mut rng)]).unwrap();
             point.law = Restitution::linear(1.0, 0.03).unwrap();
             let rests = |slow_loss_exponent: f64| {
                 let priors = Priors {

@@ -5,7 +5,6 @@
 //! what each depends on, and how strongly.
 
 use super::banded::Banded;
-use super::likelihood::Details;
 use super::model::Point;
 use super::priors::Measured;
 use crate::flight::table::{FlightTable, Row};
@@ -25,6 +24,14 @@ pub(super) struct End<const L: usize> {
     launch_scatter: Lanes<L>,
     impact_scatter: Lanes<L>,
     shared_scatter: Lanes<L>,
+}
+
+/// What the scatter of missed impacts does to the logarithms of the speeds at both ends: variances and covariance.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Gap<const L: usize> {
+    pub(super) launch: Lanes<L>,
+    pub(super) impact: Lanes<L>,
+    pub(super) shared: Lanes<L>,
 }
 
 /// A residual with its noise, for as many points as there are lanes.
@@ -92,6 +99,28 @@ impl<const L: usize> End<L> {
         }
     }
 
+    /// What the scatter of missed impacts does to the logarithms of launch and impact speed: variances and covariance,
+    /// for a scatter of one; `None` where none was missed. The fall has its time in place of a launch, with the opposite
+    /// sign, in s.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    pub(super) fn gap(&self) -> Option<Gap<L>> {
+        let missed = |scatter: Lanes<L>| scatter.0.iter().any(|scatter| *scatter > 0.0);
+        (missed(self.launch_scatter) || missed(self.impact_scatter)).then_some(Gap {
+            launch: self.launch_scatter,
+            impact: self.impact_scatter,
+            shared: self.shared_scatter,
+        })
+    }
+
+    /// Launch and impact speed, if the interval takes so much longer than it seems and their logarithms are off by so much.
+    #[inline(always)]
+    pub(super) fn speeds_after(&self, longer_s: Lanes<L>, off: [Lanes<L>; 2]) -> [Lanes<L>; 2] {
+        [
+            (self.log_launch + self.launch_per_s * longer_s + off[0]).exp(),
+            (self.log_impact + self.impact_per_s * longer_s + off[1]).exp(),
+        ]
+    }
+
     /// The ends of one interval under each of the points; one that makes no sense is not a number.
     pub(super) fn gather(ends: [Option<End<1>>; L]) -> Self {
         let lanes = |number: fn(&End<1>) -> Lanes<1>| {
@@ -110,26 +139,6 @@ impl<const L: usize> End<L> {
 }
 
 impl End<1> {
-    /// What the scatter of missed impacts does to the logarithms of launch and impact speed: variances and covariance,
-    /// for a scatter of one. The fall has its time in place of a launch, with the opposite sign, in s.
-    pub(super) fn gap(&self) -> [f64; 3] {
-        [
-            self.launch_scatter,
-            self.impact_scatter,
-            self.shared_scatter,
-        ]
-        .map(|lanes| lanes.0[0])
-    }
-
-    /// Launch and impact speed, if the interval takes so much longer than it seems.
-    pub(super) fn speeds_after(&self, longer_s: f64) -> [f64; 2] {
-        [
-            (self.log_launch, self.launch_per_s),
-            (self.log_impact, self.impact_per_s),
-        ]
-        .map(|(log, per_s)| (log.0[0] + per_s.0[0] * longer_s).exp())
-    }
-
     /// An interval with missed impacts, which are taken to obey the law; how far they may not is
     /// scatter.
     pub(super) fn of_gap(
@@ -236,6 +245,13 @@ impl<const L: usize> Residual<L> {
         }
     }
 
+    /// Its derivatives by times, 1/s, each with the number of the impact; there may be none of the last number.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    pub(super) fn by_times(&self) -> impl Iterator<Item = (usize, Lanes<L>)> {
+        let places = (0..).zip(self.timing);
+        places.filter_map(|(place, by_s)| Some(((self.impact + place).checked_sub(1)?, by_s)))
+    }
+
     /// That of one point.
     pub(super) fn in_lane(&self, lane: usize) -> Residual<1> {
         let of = |lanes: Lanes<L>| Lanes([lanes.0[lane]]);
@@ -271,14 +287,6 @@ impl<const L: usize> Residual<L> {
             impact,
             own_variance: 0.0,
         }
-    }
-}
-
-impl Residual<1> {
-    /// Its derivatives by times, 1/s, each with the number of the impact; there may be none of the last number.
-    pub(super) fn by_times(&self) -> impl Iterator<Item = (usize, f64)> {
-        let places = (0..).zip(self.timing);
-        places.filter_map(|(place, by_s)| Some(((self.impact + place).checked_sub(1)?, by_s.0[0])))
     }
 }
 
@@ -332,26 +340,27 @@ impl<'o, const L: usize> Noise<'o, L> {
             _ => Lanes::all(0.0),
         }
     }
-}
 
-impl Noise<'_, 1> {
-    /// Covariances of the residuals by the times, by the scatter and by a release.
-    pub(super) fn covariances(&self, details: &Details) -> [Banded; 3] {
-        let residuals = &details.residuals;
-        let mut covariances = <[Banded; 3]>::default();
+    /// Covariances of the residuals, which count so much each, by the times, by the scatter and by a release.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    pub(super) fn covariances(
+        &self,
+        residuals: &[Residual<L>],
+        weights: impl IntoIterator<Item = Lanes<L>>,
+    ) -> [Banded<L>; 3] {
+        let zero = Lanes::all(0.0);
+        let mut covariances = <[Banded<L>; 3]>::default();
         let [by_time, by_scatter, by_release] = &mut covariances;
-        for (row, (residual, innovation)) in residuals.iter().zip(&details.innovations).enumerate()
-        {
+        for (row, (residual, weight)) in residuals.iter().zip(weights).enumerate() {
             let shared = |places: usize| {
                 let earlier = row.checked_sub(places).map(|place| &residuals[place]);
-                earlier.map_or(0.0, |earlier| self.shared_by_time(earlier, residual).0[0])
+                earlier.map_or(zero, |earlier| self.shared_by_time(earlier, residual))
             };
-            by_time.push([shared(2), shared(1), self.by_time(residual).0[0]]);
-            let scatter = self.scatter.0[0];
+            by_time.push([shared(2), shared(1), self.by_time(residual)]);
             // An odd impact counts less, as if its scatter were larger.
-            let own = scatter * residual.scatter.0[0] / innovation.weight.max(1e-3);
-            by_scatter.push([0.0, scatter * residual.scatter_before.0[0], own]);
-            by_release.push([0.0, 0.0, residual.own_variance]);
+            let own = self.scatter * residual.scatter / weight.max(1e-3);
+            by_scatter.push([zero, self.scatter * residual.scatter_before, own]);
+            by_release.push([zero, zero, Lanes::all(residual.own_variance)]);
         }
         covariances
     }

@@ -1,5 +1,7 @@
 //! All models of a drop, weighted by their evidence.
 
+use std::array;
+
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -19,6 +21,8 @@ use crate::drag::DragLaw;
 use crate::error::{Error, InferenceFailure, Quantity, Result, within};
 use crate::flight::Environment;
 use crate::impact::{Impact, Restitution};
+use crate::simd::LANES;
+use crate::stats::sort_by_number;
 use crate::train::LN_MISSED;
 
 /// Every so many draws go into answers that take long.
@@ -365,7 +369,7 @@ impl SampledPosterior {
         candidates: &mut Vec<Candidate>,
     ) {
         let most = if self.priors.tells_missed() {
-            MOST_MISSED_FIRST
+            most_missed(law, numbering, candidates)
         } else {
             0
         };
@@ -373,8 +377,9 @@ impl SampledPosterior {
         for missed_first in 0..=most {
             let model = self.model_of(law, media, missed_first, numbering);
             let start = self.fitted_like(&model, numbering, candidates);
-            let fit = start.and_then(|start| fit::best_fit(&model, start));
-            let Some(fit) = fit.or_else(|| fit::best_fit(&model, model.start())) else {
+            let least = highest_posterior(candidates, numbering) - 2.0 * PRUNE_BELOW;
+            let fit = start.and_then(|start| fit::best_fit(&model, start, least));
+            let Some(fit) = fit.or_else(|| fit::best_fit(&model, model.start(), least)) else {
                 continue;
             };
             let mut candidate = Candidate {
@@ -550,29 +555,25 @@ impl SampledPosterior {
     /// if one of them makes no sense.
     pub(super) fn drops(&self, points: &[Point]) -> Vec<DrawnDrop> {
         let draws = self.draws.iter().zip(points).step_by(THINNED);
-        let chosen: Vec<(usize, &Point)> =
-            draws.map(|(draw, point)| (draw.candidate, point)).collect();
-        let mut number = 0;
+        let chosen: Vec<(usize, Point)> = draws
+            .map(|(draw, point)| (draw.candidate, *point))
+            .collect();
         let mut drops = Vec::with_capacity(chosen.len());
         for of_candidate in chosen.chunk_by(|(one, _), (other, _)| one == other) {
             let candidate = of_candidate[0].0;
             let model = self.model(&self.candidates[candidate]);
-            let points = of_candidate.iter().map(|&(_, point)| point);
-            let mut states = Vec::with_capacity(of_candidate.len());
-            let mut futures = Vec::with_capacity(of_candidate.len());
-            for point in points.clone() {
-                let mut future = Future::new(&self.priors, number);
-                number += 1;
-                let Some(state) = model.drawn_state(point, &mut future.rng) else {
-                    return Vec::new();
-                };
-                states.push(state);
-                futures.push(future);
-            }
-            let on_the_way = points.clone().zip(&states).zip(futures);
+            let points: Vec<Point> = of_candidate.iter().map(|&(_, point)| point).collect();
+            let numbers = (drops.len() as u32..).take(points.len());
+            let mut futures: Vec<Future> = numbers
+                .map(|number| Future::new(&self.priors, number))
+                .collect();
+            let Some(states) = drawn_states(&model, &points, &mut futures) else {
+                return Vec::new();
+            };
+            let on_the_way = points.iter().zip(&states).zip(futures);
             let on_the_way = on_the_way.map(|((point, state), future)| (*point, state, future));
             let rests = predict::until_rest(&model, on_the_way);
-            let drawn = points.zip(states).zip(rests);
+            let drawn = points.iter().zip(states).zip(rests);
             drops.extend(drawn.map(|((point, state), rest)| DrawnDrop {
                 candidate,
                 law: point.law,
@@ -588,8 +589,8 @@ impl SampledPosterior {
         let models = self.models();
         let draws = self.draws.iter().step_by(every);
         draws.filter_map(move |draw| {
-            let values = models[draw.candidate].values(draw.vector)?;
-            Some(values.law)
+            let [point] = models[draw.candidate].values(&[draw.vector]);
+            Some(point?.law)
         })
     }
 
@@ -622,6 +623,20 @@ pub(super) struct DrawnDrop {
     pub(super) rest: Option<Rest>,
 }
 
+/// A drop for each point, with the random numbers of its future; `None` where one of them makes no sense.
+fn drawn_states(model: &Model, points: &[Point], futures: &mut [Future]) -> Option<Vec<DropState>> {
+    let mut states = Vec::with_capacity(points.len());
+    for (points, futures) in points.chunks(LANES).zip(futures.chunks_mut(LANES)) {
+        let mut random = futures.iter_mut().map(|future| &mut future.rng);
+        let mut random: [_; LANES] = array::from_fn(|_| random.next());
+        // The lanes that are left over do the work of the last point again.
+        let lanes = array::from_fn(|lane| points[lane.min(points.len() - 1)]);
+        let drawn = model.drawn_states(&lanes, &mut random)?;
+        states.extend(drawn.into_iter().take(points.len()));
+    }
+    Some(states)
+}
+
 /// Whether the drag coefficient is anything but constant.
 fn follows_reynolds(environment: &Environment) -> bool {
     let constant = matches!(environment.drag, DragLaw::None | DragLaw::Constant(_));
@@ -636,9 +651,31 @@ fn best_evidence(candidates: &[Candidate]) -> f64 {
         .fold(f64::NEG_INFINITY, f64::max)
 }
 
+/// How many missed impacts before the first one heard are to be considered: those that may explain the times under another
+/// drag law, if one has been fitted.
+fn most_missed(law: LawKind, numbering: usize, candidates: &[Candidate]) -> usize {
+    let alike = |candidate: &&Candidate| candidate.law == law && candidate.numbering == numbering;
+    let alike: Vec<&Candidate> = candidates.iter().filter(alike).collect();
+    let evidences = alike.iter().map(|candidate| candidate.log_evidence);
+    let best = evidences.fold(f64::NEG_INFINITY, f64::max);
+    let possible = alike
+        .iter()
+        .rfind(|candidate| candidate.log_evidence >= best - 2.0 * PRUNE_BELOW);
+    possible.map_or(MOST_MISSED_FIRST, |candidate| candidate.missed_first)
+}
+
+/// The highest log posterior of the fits of a numbering.
+fn highest_posterior(candidates: &[Candidate], numbering: usize) -> f64 {
+    candidates
+        .iter()
+        .filter(|candidate| candidate.numbering == numbering)
+        .map(|candidate| candidate.fit.log_posterior)
+        .fold(f64::NEG_INFINITY, f64::max)
+}
+
 /// Sorts by evidence, and turns evidence into probability.
 fn weigh(candidates: &mut [Candidate]) {
-    candidates.sort_by(|a, b| b.log_evidence.total_cmp(&a.log_evidence));
+    sort_by_number(candidates, |candidate| -candidate.log_evidence);
     let best = best_evidence(candidates);
     let total: f64 = candidates
         .iter()

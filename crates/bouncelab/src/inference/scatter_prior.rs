@@ -3,13 +3,22 @@
 //! ln of the factor is A z + B ((1 + z²)^1/2 - 1) with a standard normal z: normal below the typical scatter and above it,
 //! but wider above, because a surface may be much rougher than the usual one.
 
+use crate::simd::Lanes;
+
 /// Mean of the standard deviations below and above, and half their difference.
 const LOG_SD: f64 = 0.85;
 const SKEW: f64 = 0.15;
 
 /// The factor at a standard normal.
 pub(super) fn factor(normal: f64) -> f64 {
-    (LOG_SD * normal + SKEW * (normal.hypot(1.0) - 1.0)).exp()
+    factors(Lanes([normal])).0[0]
+}
+
+/// The same in each lane.
+#[inline(always)]
+pub(super) fn factors<const L: usize>(normal: Lanes<L>) -> Lanes<L> {
+    let root = (normal * normal + 1.0).sqrt();
+    (normal * LOG_SD + (root - 1.0) * SKEW).exp()
 }
 
 /// d ln(factor)/d normal.

@@ -5,15 +5,15 @@
 //! by what the real residuals say of it (a simulation smoother by mean corrections, J. Durbin and S. J. Koopman,
 //! Biometrika 89, 603, 2002).
 
-use nalgebra::DMatrix;
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::Xoshiro256PlusPlus;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::banded::Banded;
 use super::likelihood::Evaluation;
 use super::model::{Model, Point};
 use super::observed::Observed;
-use super::residual::{Noise, Residual};
+use super::residual::{Gap, Noise, Residual};
+use crate::simd::{Lanes, dispatch};
 
 /// A drop as the times may tell it.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,96 +29,150 @@ pub(super) struct DropState {
     pub(super) apexes_m: Vec<f64>,
 }
 
+/// The random numbers of each lane, where it is used.
+type Random<'r, const L: usize> = [Option<&'r mut Xoshiro256PlusPlus>; L];
+
 /// What may be beside what the unknowns say.
-struct Deviations {
+struct Deviations<const L: usize> {
     /// Errors of the times, s.
-    errors_s: Vec<f64>,
+    errors_s: Vec<Lanes<L>>,
     /// By how much missed impacts make the logarithms of launch and impact speed larger than the law says, for each end;
     /// of the fall its time shorter, s, in place of the first.
-    off: Vec<[f64; 2]>,
+    off: Vec<[Lanes<L>; 2]>,
 }
 
 impl Model<'_> {
-    /// A drop that the times may tell, if the unknowns have these values; one of many.
-    pub(super) fn drawn_state(&self, point: &Point, rng: &mut ChaCha8Rng) -> Option<DropState> {
-        let smoother = Smoother::new(self.observed, point, self.evaluate(point)?);
-        let mut deviations = smoother.draw(rng);
-        smoother.correct(&mut deviations, rng)?;
-        smoother.state(&deviations)
+    /// Drops that the times may tell, if the unknowns have the values of these points: one of many for each point. `None`
+    /// where one of them makes no sense.
+    pub(super) fn drawn_states<const L: usize>(
+        &self,
+        points: &[Point; L],
+        random: &mut Random<L>,
+    ) -> Option<[DropState; L]> {
+        let evaluation = self.evaluate(points)?;
+        let (deviations, speeds) = dispatch(
+            #[inline(always)]
+            || {
+                let smoother = Smoother::new(self.observed, points, &evaluation);
+                let mut deviations = smoother.draw(random);
+                smoother.correct(&mut deviations, random);
+                let speeds = smoother.speeds(&deviations);
+                (deviations, speeds)
+            },
+        );
+        let impacts = &self.observed.impacts;
+        let state = |lane: usize| {
+            let Deviations { errors_s, off } = &deviations;
+            let time_s = |impact: usize| impacts[impact].time_s - errors_s[impact].0[lane];
+            let gravity_m_s2 = points[lane].gravity_m_s2;
+            let fall = &evaluation.falls[lane];
+            let launches = speeds[1..].iter().map(|[launch, _]| launch.0[lane]);
+            let apexes = launches.clone().map(|launch| {
+                let (gravity_height, _) = evaluation.tables[lane].apex(launch)?;
+                Some(gravity_height / gravity_m_s2)
+            });
+            Some(DropState {
+                drop_height_m: fall.gravity_height / gravity_m_s2,
+                release_to_first_s: fall.time_s - off[0][0].0[lane],
+                first_to_last_s: time_s(impacts.len() - 1) - time_s(0),
+                impact_speeds: speeds.iter().map(|[_, impact]| impact.0[lane]).collect(),
+                apexes_m: apexes.collect::<Option<_>>()?,
+                launch_speeds: launches.collect(),
+            })
+        };
+        let states: Vec<DropState> = (0..L).map(state).collect::<Option<_>>()?;
+        states.try_into().ok()
     }
 }
 
-struct Smoother<'a> {
-    observed: &'a Observed,
-    point: &'a Point,
-    evaluation: Evaluation<'a>,
-    scatter: f64,
+struct Smoother<'a, const L: usize> {
+    evaluation: &'a Evaluation<'a, L>,
+    /// Standard deviation of the scatter and of each time, s.
+    scatter: Lanes<L>,
+    times_s: Vec<Lanes<L>>,
     /// Of each residual the standard deviation of the noise that is its alone.
-    own_sds: Vec<f64>,
-    covariance: Banded,
+    own_sds: Vec<Lanes<L>>,
+    covariance: Banded<L>,
 }
 
-impl<'a> Smoother<'a> {
-    fn new(observed: &'a Observed, point: &'a Point, evaluation: Evaluation<'a>) -> Self {
-        let noise = Noise::new(&observed.sigma_s, &[*point]);
-        let [by_time, by_scatter, by_release] = noise.covariances(&evaluation.details);
+impl<'a, const L: usize> Smoother<'a, L> {
+    #[inline(always)]
+    fn new(observed: &Observed, points: &[Point; L], evaluation: &'a Evaluation<'a, L>) -> Self {
+        let noise = Noise::new(&observed.sigma_s, points);
+        let weights = evaluation.weights.iter().copied();
+        let [by_time, by_scatter, by_release] = noise.covariances(&evaluation.residuals, weights);
+        let timing = Lanes::of(|lane| points[lane].timing);
         let mut smoother = Self {
-            observed,
-            point,
-            scatter: noise.scatter.0[0],
+            scatter: Lanes::of(|lane| points[lane].scatter),
+            times_s: observed
+                .sigma_s
+                .iter()
+                .map(|&sigma_s| timing * sigma_s)
+                .collect(),
             own_sds: Vec::new(),
             covariance: Banded::sum([&by_time, &by_scatter, &by_release]),
             evaluation,
         };
-        smoother.own_sds = smoother
-            .rows()
-            .map(|(row, residual)| {
-                let shared = smoother.shared_scatter(row, residual);
-                let own = by_scatter.diagonal(row) - smoother.scatter * shared;
-                (own.max(0.0) + by_release.diagonal(row)).sqrt()
-            })
-            .collect();
+        let own = smoother.rows().map(|(row, residual)| {
+            let shared = smoother.shared_scatter(row, residual);
+            let own = by_scatter.diagonal(row) - noise.scatter * shared;
+            (own.max(0.0) + by_release.diagonal(row)).sqrt()
+        });
+        smoother.own_sds = own.collect();
         smoother
     }
 
     /// Variance of a residual by the scatter of the missed impacts on both sides, for a scatter of one.
-    fn shared_scatter(&self, row: usize, residual: &Residual<1>) -> f64 {
-        let ends = &self.evaluation.ends;
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    fn shared_scatter(&self, row: usize, residual: &Residual<L>) -> Lanes<L> {
+        let [before, after] = self.gaps(row);
+        let mut shared = Lanes::all(0.0);
+        if let Some(before) = before {
+            shared = shared + residual.keeps * residual.keeps * before.impact;
+        }
+        if let Some(after) = after {
+            shared = shared + after.launch;
+        }
+        shared
+    }
+
+    /// The gaps before and after the impact of a residual.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    fn gaps(&self, row: usize) -> [Option<Gap<L>>; 2] {
         let after = self.end_of(row);
-        let [launch, ..] = ends[after].gap();
-        after.checked_sub(1).map_or(launch, |before| {
-            let [_, impact, _] = ends[before].gap();
-            launch + residual.keeps.0[0].powi(2) * impact
-        })
+        let gap = |end: usize| self.evaluation.ends[end].gap();
+        [after.checked_sub(1).and_then(gap), gap(after)]
     }
 
     /// The number of the end after the impact of a residual; that of a release has none before.
+    #[inline(always)]
     fn end_of(&self, row: usize) -> usize {
-        row + self.evaluation.ends.len() - self.evaluation.details.residuals.len()
-    }
-
-    fn sd_s(&self, impact: usize) -> f64 {
-        self.point.timing * self.observed.sigma_s[impact]
+        row + self.evaluation.ends.len() - self.evaluation.residuals.len()
     }
 
     /// The residuals, each with its row.
-    fn rows(&self) -> impl Iterator<Item = (usize, &Residual<1>)> {
-        self.evaluation.details.residuals.iter().enumerate()
+    #[inline(always)]
+    fn rows(&self) -> impl Iterator<Item = (usize, &Residual<L>)> {
+        self.evaluation.residuals.iter().enumerate()
     }
 
     /// Deviations as they are before the data.
-    fn draw(&self, rng: &mut ChaCha8Rng) -> Deviations {
-        let mut normal = || -> f64 { StandardNormal.sample(rng) };
-        let impacts = 0..self.observed.sigma_s.len();
-        let errors_s = impacts.map(|impact| self.sd_s(impact) * normal()).collect();
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    fn draw(&self, random: &mut Random<L>) -> Deviations<L> {
+        let errors_s = self.times_s.iter().map(|&sd_s| sd_s * normal(random));
+        let errors_s = errors_s.collect();
         let off = self.evaluation.ends.iter().map(|end| match end.gap() {
-            [0.0, 0.0, _] => [0.0; 2],
-            [launch, impact, shared] => {
-                let slope = if launch > 0.0 { shared / launch } else { 0.0 };
+            None => [Lanes::all(0.0); 2],
+            Some(Gap {
+                launch,
+                impact,
+                shared,
+            }) => {
+                let slope = launch.if_positive(shared / launch, Lanes::all(0.0));
                 let own = (impact - shared * slope).max(0.0);
-                let off_launch = launch.sqrt() * normal();
-                [off_launch, slope * off_launch + own.sqrt() * normal()]
-                    .map(|off| self.point.scatter * off)
+                let off_launch = launch.sqrt() * normal(random);
+                [off_launch, slope * off_launch + own.sqrt() * normal(random)]
+                    .map(|off| self.scatter * off)
             }
         });
         let off = off.collect();
@@ -126,74 +180,72 @@ impl<'a> Smoother<'a> {
     }
 
     /// Corrects deviations by what the residuals are beyond those that they make.
-    fn correct(&self, deviations: &mut Deviations, rng: &mut ChaCha8Rng) -> Option<()> {
-        let mut normal = || -> f64 { StandardNormal.sample(rng) };
-        let beyond = self.rows().map(|(row, residual)| {
-            let mut made = self.own_sds[row] * normal() - deviations.off[self.end_of(row)][0];
-            if let Some(before) = self.end_of(row).checked_sub(1) {
-                made += residual.keeps.0[0] * deviations.off[before][1];
-            }
-            for (impact, by_s) in residual.by_times() {
-                made += by_s * deviations.errors_s.get(impact).copied().unwrap_or(0.0);
-            }
-            residual.value.0[0] - made
-        });
-        let beyond = DMatrix::from_iterator(self.own_sds.len(), 1, beyond);
-        let pull = self.covariance.solve(beyond)?;
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    fn correct(&self, deviations: &mut Deviations<L>, random: &mut Random<L>) {
         let Deviations { errors_s, off } = deviations;
-        for (row, residual) in self.rows() {
-            let pull = pull[row];
+        let beyond = self.rows().map(|(row, residual)| {
+            let after = self.end_of(row);
+            let mut made = self.own_sds[row] * normal(random) - off[after][0];
+            if let Some(before) = after.checked_sub(1) {
+                made = made + residual.keeps * off[before][1];
+            }
             for (impact, by_s) in residual.by_times() {
-                if let Some(error_s) = errors_s.get_mut(impact) {
-                    *error_s += self.sd_s(impact).powi(2) * by_s * pull;
+                if let Some(error_s) = errors_s.get(impact) {
+                    made = made + by_s * *error_s;
                 }
             }
-            let mut correct = |end: usize, by: [f64; 2]| {
-                let [launch, impact, shared] = self.evaluation.ends[end].gap();
-                off[end][0] += self.scatter * (launch * by[0] + shared * by[1]) * pull;
-                off[end][1] += self.scatter * (shared * by[0] + impact * by[1]) * pull;
-            };
-            correct(self.end_of(row), [-1.0, 0.0]);
-            if let Some(before) = self.end_of(row).checked_sub(1) {
-                correct(before, [0.0, residual.keeps.0[0]]);
+            residual.value - made
+        });
+        let mut pull: Vec<Lanes<L>> = beyond.collect();
+        self.covariance.solve(&mut pull);
+        let scatter = self.scatter * self.scatter;
+        for ((row, residual), pull) in self.rows().zip(pull) {
+            for (impact, by_s) in residual.by_times() {
+                if let Some(error_s) = errors_s.get_mut(impact) {
+                    let sd_s = self.times_s[impact];
+                    *error_s = *error_s + sd_s * sd_s * by_s * pull;
+                }
+            }
+            let after = self.end_of(row);
+            let [gap_before, gap_after] = self.gaps(row);
+            if let Some(gap) = gap_after {
+                off[after][0] = off[after][0] - scatter * gap.launch * pull;
+                off[after][1] = off[after][1] - scatter * gap.shared * pull;
+            }
+            if let Some(gap) = gap_before {
+                let before = &mut off[after - 1];
+                let by = scatter * residual.keeps * pull;
+                before[0] = before[0] + gap.shared * by;
+                before[1] = before[1] + gap.impact * by;
             }
         }
-        Some(())
     }
 
-    /// The drop with these deviations.
-    fn state(&self, Deviations { errors_s, off }: &Deviations) -> Option<DropState> {
-        let Evaluation {
-            fall, table, ends, ..
-        } = &self.evaluation;
-        let impacts = &self.observed.impacts;
-        let time_s = |impact: usize| impacts[impact].time_s - errors_s[impact];
-        let mut state = DropState {
-            drop_height_m: fall.gravity_height / self.point.gravity_m_s2,
-            release_to_first_s: fall.time_s - off[0][0],
-            first_to_last_s: time_s(impacts.len() - 1) - time_s(0),
-            impact_speeds: Vec::with_capacity(ends.len()),
-            launch_speeds: Vec::with_capacity(ends.len() - 1),
-            apexes_m: Vec::with_capacity(ends.len() - 1),
-        };
-        for (place, (end, [off_launch, off_impact])) in ends.iter().zip(off).enumerate() {
-            // How much longer the interval was than it seems.
-            let longer_s = place
-                .checked_sub(1)
-                .map_or(0.0, |before| errors_s[before] - errors_s[place]);
-            let [launch, impact] = end.speeds_after(longer_s);
-            state.impact_speeds.push(impact * off_impact.exp());
-            if place > 0 {
-                let launch = launch * off_launch.exp();
-                let (gravity_height, _) = table.apex(launch)?;
-                state.launch_speeds.push(launch);
-                state
-                    .apexes_m
-                    .push(gravity_height / self.point.gravity_m_s2);
+    /// Of each end the launch speed of the flight and the speed of the impact after it, m/s, with these deviations.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    fn speeds(&self, Deviations { errors_s, off }: &Deviations<L>) -> Vec<[Lanes<L>; 2]> {
+        let ends = self.evaluation.ends.iter().zip(off).enumerate();
+        ends.map(|(place, (end, off))| {
+            // How much longer the interval was than it seems; the fall has its time in place of the launch.
+            match place.checked_sub(1) {
+                None => end.speeds_after(Lanes::all(0.0), *off),
+                Some(before) => end.speeds_after(errors_s[before] - errors_s[place], *off),
             }
-        }
-        Some(state)
+        })
+        .collect()
     }
+}
+
+/// A standard normal in each lane.
+#[cfg_attr(not(target_family = "wasm"), inline(always))]
+fn normal<const L: usize>(random: &mut Random<L>) -> Lanes<L> {
+    let mut normals = Lanes::all(0.0);
+    for (normal, rng) in normals.0.iter_mut().zip(random) {
+        if let Some(rng) = rng {
+            *normal = StandardNormal.sample(rng);
+        }
+    }
+    normals
 }
 
 #[cfg(test)]
@@ -209,7 +261,11 @@ mod tests {
     const RELEASE_SD_S: f64 = 3e-3;
 
     /// A drop of known unknowns, released when the model says or so: the impacts detected, and its state.
-    fn simulated(model: &Model, point: &Point, rng: &mut ChaCha8Rng) -> (Vec<Impact>, [f64; 3]) {
+    fn simulated(
+        model: &Model,
+        point: &Point,
+        rng: &mut Xoshiro256PlusPlus,
+    ) -> (Vec<Impact>, [f64; 3]) {
         let mut normal = || -> f64 { StandardNormal.sample(rng) };
         let table = model.table(point).unwrap();
         let fall = table.rise_and_fall(point.fall_launch_m_s).unwrap();
@@ -238,13 +294,32 @@ mod tests {
         (detected, [speed, last_s - first_s, first_s - released_s])
     }
 
+    /// Of several points side by side, each with its random numbers, what is drawn is what is drawn of each alone.
+    #[test]
+    fn states_drawn_side_by_side_are_those_drawn_alone() {
+        with_model(&impacts(), |model, vector| {
+            let points = [0.0, 0.3, -0.2].map(|off| {
+                let vector: Vec<f64> = vector.iter().map(|value| value + off).collect();
+                model.point(&vector).unwrap()
+            });
+            let rng = |lane: u64| Xoshiro256PlusPlus::seed_from_u64(lane);
+            let [mut a, mut b] = [rng(0), rng(1)];
+            let together = model.drawn_states(&points, &mut [Some(&mut a), Some(&mut b), None]);
+            for (lane, together) in (0..2).zip(together.unwrap()) {
+                let point = points[lane as usize];
+                let alone = model.drawn_states(&[point], &mut [Some(&mut rng(lane))]);
+                assert_eq!(alone, Some([together]));
+            }
+        });
+    }
+
     /// Errors of the times, scatter of detected and of missed impacts, and an uncertain release: what is drawn holds the
     /// truth as often as it says.
     #[test]
     fn intervals_of_drawn_states_hold_the_truth() {
         const DROPS: usize = 200;
         const DRAWS: usize = 100;
-        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        let mut rng = Xoshiro256PlusPlus::seed_from_u64(1);
         let point = with_model(&impacts(), |model, vector| Point {
             scatter: 0.01,
             timing: 1.0,
@@ -255,8 +330,9 @@ mod tests {
             let (detected, truth) =
                 with_model(&impacts(), |model, _| simulated(model, &point, &mut rng));
             let drawn: Vec<[f64; 3]> = with_model(&detected, |model, _| {
-                let states = (0..DRAWS).map(|_| model.drawn_state(&point, &mut rng).unwrap());
-                let quantities = states.map(|state| {
+                let mut drawn = || model.drawn_states(&[point], &mut [Some(&mut rng)]);
+                let states = (0..DRAWS).map(|_| drawn().unwrap());
+                let quantities = states.map(|[state]| {
                     let last = state.impact_speeds[state.impact_speeds.len() - 1];
                     [last, state.first_to_last_s, state.release_to_first_s]
                 });

@@ -9,10 +9,15 @@ use std::sync::OnceLock;
 
 use super::model::Medium;
 use super::observed::Observed;
-use crate::flight::table::{Blend, FlightTables, STRENGTHS};
+use crate::flight::table::{Blend, FlightTable, FlightTables, STRENGTHS};
+use crate::simd::Lanes;
 
 /// How far from its nominal duration each parabola touches its flight, relative.
 const REACH: f64 = 0.02;
+
+/// What drag does to a flight that the tables do not know: no likelihood is left, but a strength to which such a flight
+/// counts for nothing has its own.
+const ABSURD: f64 = 1e200;
 
 /// What drag does to a flight, by the relative change x of g T: the logarithms of its launch speed and of its
 /// impact speed over g T/2, each as a + x (b + x c).
@@ -26,12 +31,9 @@ pub(super) struct TimedFlights {
     nodes: Vec<OnceLock<Vec<Curves>>>,
 }
 
-/// The flights under the drag of one strength.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct FlightsAtStrength<'a> {
-    nodes: [&'a [Curves]; 4],
-    weights: [f64; 4],
-}
+/// The flights under the drag of as many strengths as there are lanes: the nodes around them, with the weights in each lane.
+#[derive(Debug, Clone)]
+pub(super) struct FlightsAtStrengths<'a, const L: usize>(Vec<(&'a [Curves], Lanes<L>)>);
 
 impl TimedFlights {
     pub(super) fn new(observed: &Observed, media: &Medium) -> Self {
@@ -59,13 +61,26 @@ impl TimedFlights {
         self.per_nominal[interval]
     }
 
-    /// The flights with so many times the drag of the tables; `None` for a drag that they do not know.
-    pub(super) fn at(&self, tables: &FlightTables, strength: f64) -> Option<FlightsAtStrength<'_>> {
-        let Blend { first, weights } = Blend::of(strength)?;
-        Some(FlightsAtStrength {
-            nodes: std::array::from_fn(|node| self.node(tables, first + node)),
-            weights,
-        })
+    /// The flights with the drag of these tables.
+    pub(super) fn at<const L: usize>(
+        &self,
+        tables: &FlightTables,
+        at: &[FlightTable; L],
+    ) -> FlightsAtStrengths<'_, L> {
+        let firsts = at.iter().map(|table| table.blend.first);
+        let (least, greatest) = firsts.fold((STRENGTHS, 0), |(least, greatest), first| {
+            (least.min(first), greatest.max(first))
+        });
+        let nodes = (least..greatest + 4).filter_map(|node| {
+            let weight = |Blend { first, weights }: &Blend| {
+                let place = node.checked_sub(*first);
+                place.and_then(|place| weights.get(place)).copied()
+            };
+            let weights = Lanes::of(|lane| weight(&at[lane].blend).unwrap_or(0.0));
+            let used = weights.0.iter().any(|weight| *weight != 0.0);
+            used.then(|| (self.node(tables, node), weights))
+        });
+        FlightsAtStrengths(nodes.collect())
     }
 
     fn node(&self, tables: &FlightTables, node: usize) -> &[Curves] {
@@ -76,7 +91,7 @@ impl TimedFlights {
                     let gravity_time = (1.0 + x) / per_nominal;
                     let row = table.lasting(gravity_time);
                     let over_free = |speed: f64| (2.0 * speed / gravity_time).ln();
-                    row.map_or([f64::NAN; 2], |row| [row.launch, row.impact].map(over_free))
+                    row.map_or([ABSURD; 2], |row| [row.launch, row.impact].map(over_free))
                 };
                 let (before, here, after) = (at(-REACH), at(0.0), at(REACH));
                 let parabola = |i: usize| {
@@ -92,12 +107,16 @@ impl TimedFlights {
     }
 }
 
-impl FlightsAtStrength<'_> {
-    /// The curves of an interval of one flight; not numbers where the tables do not know it.
+impl<const L: usize> FlightsAtStrengths<'_, L> {
+    /// The curves of an interval of one flight; absurd where the tables do not know it.
     #[inline(always)]
-    pub(super) fn curves(&self, interval: usize) -> Curves {
-        let [a, b, c, d] = self.nodes.map(|node| &node[interval]);
-        let [wa, wb, wc, wd] = self.weights;
-        std::array::from_fn(|i| wa * a[i] + wb * b[i] + wc * c[i] + wd * d[i])
+    pub(super) fn curves(&self, interval: usize) -> [Lanes<L>; 6] {
+        let mut curves = [Lanes::all(0.0); 6];
+        for (values, weights) in &self.0 {
+            for (curve, value) in curves.iter_mut().zip(values[interval]) {
+                *curve = *curve + *weights * value;
+            }
+        }
+        curves
     }
 }

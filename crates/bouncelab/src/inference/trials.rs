@@ -1,0 +1,155 @@
+//! Vectors that are tried side by side, with what they stand for: points, flights and falls.
+
+use std::array;
+
+use super::model::{Height, LEAST_KEPT, Model, Point, Slot};
+use super::priors::Measured;
+use super::residual::InitialFall;
+use super::timed_flights::FlightsAtStrengths;
+use crate::flight::table::{FlightTable, LEAST_SLOPE, Row};
+use crate::impact::Restitutions;
+use crate::simd::Lanes;
+
+/// Points that are tried side by side, with what they stand for.
+#[derive(Debug, Clone)]
+pub(super) struct Trials<'a, const L: usize> {
+    pub(super) points: [Point; L],
+    pub(super) tables: [FlightTable<'a>; L],
+    pub(super) flights: FlightsAtStrengths<'a, L>,
+    pub(super) falls: [InitialFall; L],
+    /// Whether the point makes sense; the lane of another does work that counts for nothing.
+    pub(super) sound: [bool; L],
+}
+
+impl<'a> Model<'a> {
+    /// The values that a vector stands for; `None` where it makes no sense.
+    pub(super) fn point(&self, vector: &[f64]) -> Option<Point> {
+        let Trials {
+            points: [point],
+            sound: [sound],
+            ..
+        } = self.trials(&[vector])?;
+        sound.then_some(point)
+    }
+
+    /// Vectors with what they stand for; `None` if none of them makes sense.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    pub(super) fn trials<const L: usize>(&self, vectors: &[&[f64]; L]) -> Option<Trials<'a, L>> {
+        let mut sound = [true; L];
+        let mut points = mended(self.values(vectors), &mut sound)?;
+        let tables = points.each_ref().map(|point| self.table(point));
+        let tables = mended(tables, &mut sound)?;
+        let place = self.place(Slot::Height)?;
+        let place = Lanes::of(|lane| vectors[lane][place]);
+        let launches = match self.height() {
+            Height::Speed => place.exp(),
+            Height::Measured(Measured { value, sd }) => Lanes::of(|lane| {
+                let gravity_height = points[lane].gravity_m_s2 * (value + sd * place.0[lane]);
+                tables[lane].rising_to(gravity_height).unwrap_or(f64::NAN)
+            }),
+            Height::FromFirstFlight => {
+                let noise = self.first_noise(&points);
+                let log_units = noise.ln();
+                for (point, unit) in points.iter_mut().zip(log_units.0) {
+                    point.log_height_unit = unit;
+                }
+                (self.suggested_ln_launch(&points, &tables) + noise * place).exp()
+            }
+        };
+        for (point, launch) in points.iter_mut().zip(launches.0) {
+            point.fall_launch_m_s = launch;
+        }
+        self.trials_of(points, tables, sound)
+    }
+
+    /// Points with what they stand for; `None` if none of them makes sense.
+    pub(super) fn trials_at<const L: usize>(&self, points: &[Point; L]) -> Option<Trials<'a, L>> {
+        let mut sound = [true; L];
+        let tables = points.each_ref().map(|point| self.table(point));
+        let tables = mended(tables, &mut sound)?;
+        self.trials_of(*points, tables, sound)
+    }
+
+    /// Points with what they stand for, under tables of their own.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    fn trials_of<const L: usize>(
+        &self,
+        points: [Point; L],
+        tables: [FlightTable<'a>; L],
+        mut sound: [bool; L],
+    ) -> Option<Trials<'a, L>> {
+        let fall = |lane: usize| InitialFall::new(&tables[lane], &points[lane], self.missed_first);
+        let falls = mended(array::from_fn(fall), &mut sound)?;
+        Some(Trials {
+            flights: self.timed_flights.at(&self.media.flights, &tables),
+            points,
+            tables,
+            falls,
+            sound,
+        })
+    }
+
+    /// About the logarithms of the launches that would rise to the drop heights, by the first flight and the law. Any smooth
+    /// function of the unknowns serves: one step of Newton's method is near enough.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    fn suggested_ln_launch<const L: usize>(
+        &self,
+        points: &[Point; L],
+        tables: &[FlightTable; L],
+    ) -> Lanes<L> {
+        let first = self.observed.intervals[0];
+        let laws = Restitutions::of(&points.map(|point| point.law));
+        let ln_launch = Lanes::of(|lane| {
+            let point = &points[lane];
+            let flight_s = first.duration_s / first.flights as f64 - point.contact_time_s;
+            let row = tables[lane].lasting(point.gravity_m_s2 * flight_s);
+            row.map_or(f64::NAN, |row| row.launch)
+        })
+        .ln();
+        let mut ln_impact = ln_launch - laws.ln_at_with_log_slope(ln_launch).0;
+        let (ln_restitution, log_slope) = laws.ln_at_with_log_slope(ln_impact);
+        let off = ln_launch - ln_impact - ln_restitution;
+        ln_impact = ln_impact + off / (log_slope + 1.0).max(LEAST_KEPT);
+        let impact = ln_impact.exp();
+        let rows: [Option<Row>; L] = array::from_fn(|lane| tables[lane].launch(impact.0[lane]));
+        let of = |number: fn(&Row) -> f64| {
+            Lanes::of(|lane| rows[lane].as_ref().map_or(f64::NAN, number))
+        };
+        let off = ln_impact - of(|row| row.impact).ln();
+        ln_impact + off / of(|row| row.impact_slope).max(LEAST_SLOPE)
+    }
+
+    /// About the standard deviation of ln(launch speed) after the first impact detected, given the fall.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    fn first_noise<const L: usize>(&self, points: &[Point; L]) -> Lanes<L> {
+        let observed = self.observed;
+        let square = |x: f64| x * x;
+        let sigma_s = square(observed.sigma_s[0]) + square(observed.sigma_s[1]);
+        let per_duration = sigma_s / square(observed.intervals[0].duration_s);
+        let of = |number: fn(&Point) -> f64| Lanes::of(|lane| number(&points[lane]));
+        let (scatter, timing) = (of(|point| point.scatter), of(|point| point.timing));
+        (scatter * scatter + timing * timing * per_duration).sqrt()
+    }
+
+    /// The drop height that a point stands for, m.
+    pub(super) fn drop_height_m(&self, point: &Point) -> Option<f64> {
+        let (gravity_height, _) = self.table(point)?.apex(point.fall_launch_m_s)?;
+        Some(gravity_height / point.gravity_m_s2)
+    }
+
+    /// The flights under the drag of a point; `None` if it is absurd.
+    pub(super) fn table(&self, point: &Point) -> Option<FlightTable<'a>> {
+        self.media.flights.at(point.drag_strength)
+    }
+}
+
+/// What was found in each lane; where nothing was, that of another, and the lane is not sound. `None` if nothing was found
+/// at all.
+#[inline(always)]
+fn mended<T: Copy, const L: usize>(found: [Option<T>; L], sound: &mut [bool; L]) -> Option<[T; L]> {
+    let other = found.iter().flatten().next().copied()?;
+    for (sound, found) in sound.iter_mut().zip(&found) {
+        *sound &= found.is_some();
+    }
+    Some(found.map(|found| found.unwrap_or(other)))
+}
