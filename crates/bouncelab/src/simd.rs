@@ -153,6 +153,12 @@ impl<const L: usize> Lanes<L> {
     }
 }
 
+/// One for each lane, of at least one and at most as many as there are lanes: the lanes that are left over do the work of the
+/// last one again.
+pub(crate) fn one_for_each_lane<T: Copy, const L: usize>(items: &[T]) -> [T; L] {
+    array::from_fn(|lane| items[lane.min(items.len() - 1)])
+}
+
 /// The sum of the exponentials of numbers.
 pub(crate) fn sum_of_exp(numbers: &[f64]) -> f64 {
     dispatch(

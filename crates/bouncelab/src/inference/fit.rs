@@ -22,8 +22,8 @@ impl Fit {
     }
 }
 
-/// Distance from the best fit, in standard deviations, from which one more step leads so near to it that nothing there
-/// need be worked out: to about a thousandth. The sampling would mind less, but so the end does not depend on the way
+/// Distance from the best fit, in standard deviations, from which the step that the expected curvature suggests leads so
+/// near to it that nothing there need be worked out. The sampling would mind less, but so the end hardly depends on the way
 /// there.
 const NEAR: f64 = 1e-2;
 
@@ -106,12 +106,12 @@ pub(super) fn best_fit(model: &Model, start: Vec<f64>, least: f64) -> Option<Fit
         if here.log_posterior + MOST_GAINED * promise < least {
             break;
         }
-        let step = secants.corrected(&here.expected, &here.slope);
         if promise < NEAR * NEAR {
-            here.log_posterior += 0.5 * here.slope.dot(&step);
-            here.vector += step;
+            here.log_posterior += 0.5 * promise;
+            here.vector += expected;
             break;
         }
+        let step = secants.corrected(&here.expected, &here.slope);
         let whole = (promise < SMALL_GAIN).then(|| Place::new(model, &here.vector + &step));
         let higher = |it: &Place| it.log_posterior > here.log_posterior;
         let next = if let Some(next) = whole.flatten().filter(higher) {
@@ -174,6 +174,28 @@ impl Secants {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::inference::likelihood::tests::{impacts, with_model};
+
+    /// The log posterior there is the one stated, and a step to either side of each unknown leads down.
+    #[test]
+    fn nothing_around_the_best_fit_is_better() {
+        with_model(&impacts(), |model, _| {
+            let fit = best_fit(model, model.start(), f64::NEG_INFINITY).unwrap();
+            let unknowns = fit.vector.len();
+            let around = DMatrix::from_fn(unknowns, 2 * unknowns + 1, |unknown, column| {
+                let step = 0.3 * fit.covariance[(unknown, unknown)].sqrt();
+                let moved = unknown == column % unknowns && column < 2 * unknowns;
+                let sign = if column < unknowns { step } else { -step };
+                fit.vector[unknown] + if moved { sign } else { 0.0 }
+            });
+            let mut logs = model.log_posteriors(&around);
+            let there = logs.pop().flatten().unwrap();
+            assert!((there - fit.log_posterior).abs() < 1e-3);
+            for log in logs {
+                assert!(log.unwrap() < there - 0.01);
+            }
+        });
+    }
 
     /// After a step the corrected curvature tells how much the slope fell along it (the secant equation), whatever
     /// was expected; without one it is the expected one.

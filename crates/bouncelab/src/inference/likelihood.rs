@@ -27,7 +27,7 @@ use super::tail::{FREEDOM, Tail};
 use super::trials::Trials;
 use crate::flight::table::FlightTable;
 use crate::impact::Restitutions;
-use crate::simd::{LANES, Lanes, dispatch};
+use crate::simd::{LANES, Lanes, dispatch, one_for_each_lane};
 
 /// Beyond about so many standard deviations an innovation is odd, and says nothing of its
 /// neighbours.
@@ -117,8 +117,7 @@ impl<'a> Model<'a> {
         let mut logs = Vec::with_capacity(columns.len());
         for group in columns.chunks(LANES) {
             let first = logs.len();
-            // The lanes that are left over do the work of the last vector again.
-            let lanes = std::array::from_fn::<_, LANES, _>(|lane| group[lane.min(group.len() - 1)]);
+            let lanes: [&[f64]; LANES] = one_for_each_lane(group);
             let mut row = 0;
             let found = self.log_posteriors_in_lanes(&lanes, &mut |step| {
                 if let Some(observer) = &mut observer {

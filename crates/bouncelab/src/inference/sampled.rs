@@ -21,7 +21,7 @@ use crate::drag::DragLaw;
 use crate::error::{Error, InferenceFailure, Quantity, Result, within};
 use crate::flight::Environment;
 use crate::impact::{Impact, Restitution};
-use crate::simd::LANES;
+use crate::simd::{LANES, one_for_each_lane};
 use crate::stats::sort_by_number;
 use crate::train::LN_MISSED;
 
@@ -601,15 +601,18 @@ impl SampledPosterior {
         mut value: impl FnMut(&Model, &Point) -> Option<T>,
     ) -> Vec<T> {
         let models = self.models();
-        self.draws
-            .iter()
-            .step_by(every.max(1))
-            .filter_map(|draw| {
-                let model = &models[draw.candidate];
-                let point = model.point(draw.vector)?;
-                value(model, &point)
-            })
-            .collect()
+        let draws: Vec<Draw> = self.draws.iter().step_by(every.max(1)).collect();
+        let mut found = Vec::with_capacity(draws.len());
+        for alike in draws.chunk_by(|one, other| one.candidate == other.candidate) {
+            let model = &models[alike[0].candidate];
+            for group in alike.chunks(LANES) {
+                let draws: [Draw; LANES] = one_for_each_lane(group);
+                let points = model.points(&draws.map(|draw| draw.vector)).into_iter();
+                let points = points.take(group.len()).flatten();
+                found.extend(points.filter_map(|point| value(model, &point)));
+            }
+        }
+        found
     }
 }
 
@@ -629,9 +632,7 @@ fn drawn_states(model: &Model, points: &[Point], futures: &mut [Future]) -> Opti
     for (points, futures) in points.chunks(LANES).zip(futures.chunks_mut(LANES)) {
         let mut random = futures.iter_mut().map(|future| &mut future.rng);
         let mut random: [_; LANES] = array::from_fn(|_| random.next());
-        // The lanes that are left over do the work of the last point again.
-        let lanes = array::from_fn(|lane| points[lane.min(points.len() - 1)]);
-        let drawn = model.drawn_states(&lanes, &mut random)?;
+        let drawn = model.drawn_states(&one_for_each_lane(points), &mut random)?;
         states.extend(drawn.into_iter().take(points.len()));
     }
     Some(states)

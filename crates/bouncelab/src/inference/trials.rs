@@ -8,7 +8,7 @@ use super::residual::InitialFall;
 use super::timed_flights::FlightsAtStrengths;
 use crate::flight::table::{FlightTable, LEAST_SLOPE, Row};
 use crate::impact::Restitutions;
-use crate::simd::Lanes;
+use crate::simd::{Lanes, dispatch};
 
 /// Points that are tried side by side, with what they stand for.
 #[derive(Debug, Clone)]
@@ -24,17 +24,38 @@ pub(super) struct Trials<'a, const L: usize> {
 impl<'a> Model<'a> {
     /// The values that a vector stands for; `None` where it makes no sense.
     pub(super) fn point(&self, vector: &[f64]) -> Option<Point> {
-        let Trials {
-            points: [point],
-            sound: [sound],
-            ..
-        } = self.trials(&[vector])?;
-        sound.then_some(point)
+        let [point] = self.points(&[vector]);
+        point
+    }
+
+    /// The same of vectors side by side.
+    pub(super) fn points<const L: usize>(&self, vectors: &[&[f64]; L]) -> [Option<Point>; L] {
+        let found = dispatch(
+            #[inline(always)]
+            || self.points_in_tables(vectors),
+        );
+        let Some((points, _, sound)) = found else {
+            return [None; L];
+        };
+        array::from_fn(|lane| {
+            let sound = sound[lane] && points[lane].fall_launch_m_s.is_finite();
+            sound.then_some(points[lane])
+        })
     }
 
     /// Vectors with what they stand for; `None` if none of them makes sense.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(super) fn trials<const L: usize>(&self, vectors: &[&[f64]; L]) -> Option<Trials<'a, L>> {
+        let (points, tables, sound) = self.points_in_tables(vectors)?;
+        self.trials_of(points, tables, sound)
+    }
+
+    /// The points that vectors stand for, their flights, and which of them make sense so far.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    fn points_in_tables<const L: usize>(
+        &self,
+        vectors: &[&[f64]; L],
+    ) -> Option<([Point; L], [FlightTable<'a>; L], [bool; L])> {
         let mut sound = [true; L];
         let mut points = mended(self.values(vectors), &mut sound)?;
         let tables = points.each_ref().map(|point| self.table(point));
@@ -59,7 +80,7 @@ impl<'a> Model<'a> {
         for (point, launch) in points.iter_mut().zip(launches.0) {
             point.fall_launch_m_s = launch;
         }
-        self.trials_of(points, tables, sound)
+        Some((points, tables, sound))
     }
 
     /// Points with what they stand for; `None` if none of them makes sense.
