@@ -139,9 +139,8 @@ pub(super) struct Point {
     pub(super) drag_strength: f64,
     pub(super) gravity_m_s2: f64,
     pub(super) fall_launch_m_s: f64,
-    /// Logarithm of what restitution and height add to the prior density of their coordinates: that of the restitution, and
-    /// the units of both.
-    pub(super) log_density: f64,
+    /// ln of the unit of the coordinate of the height, in ln(launch speed).
+    pub(super) log_height_unit: f64,
     pub(super) scatter: f64,
     pub(super) timing: f64,
     pub(super) contact_time_s: f64,
@@ -359,15 +358,9 @@ impl<'a> Model<'a> {
     }
 
     /// What the prior alone says of an unknown: minus the second derivative of its logarithm.
-    pub(super) fn prior_information(&self, slot: Slot, point: &Point) -> f64 {
+    pub(super) fn prior_information(&self, slot: Slot, value: f64) -> f64 {
         match slot {
-            // Flat in e: de/d(logit) = e (1 - e).
-            Slot::Restitution => {
-                let (scatter, timing) = (Lanes([point.scatter]), Lanes([point.timing]));
-                let [unit] = self.restitution_unit(scatter, timing).0;
-                let e = point.law.at(self.middle.speed_m_s);
-                2.0 * e * (1.0 - e) * unit * unit
-            }
+            Slot::Restitution => 2.0 * logistic(value) * logistic(-value),
             Slot::Height if self.height_m.is_none() => 0.0,
             _ => 1.0,
         }
@@ -382,6 +375,7 @@ impl<'a> Model<'a> {
         }
         let at = |slot: Slot| values[index(slot)];
         let (media, inputs) = (self.media, &self.media.inputs);
+        let restitution = Lanes::all(1.0) / ((-at(Slot::Restitution)).exp() + 1.0);
         let drag_scale = (at(Slot::Drag) * media.drag_sd).exp();
         let log_inputs =
             at(Slot::Gravity) * inputs.drag_on_gravity + at(Slot::Inputs) * inputs.drag_sd;
@@ -389,12 +383,6 @@ impl<'a> Model<'a> {
         let gravity_m_s2 = (at(Slot::Gravity) * inputs.gravity_sd).exp() * media.gravity_m_s2;
         let scatter = scatter_prior::factors(at(Slot::Scatter)) * self.typical_scatter;
         let timing = (at(Slot::Timing) * self.timing_sd).exp();
-        let unit = self.restitution_unit(scatter, timing);
-        let logit = at(Slot::Restitution) * unit + self.reference_logit();
-        let restitution = Lanes::all(1.0) / ((-logit).exp() + 1.0);
-        // Flat in e: de/d(logit) = e (1 - e).
-        let off = -logit.abs();
-        let log_density = off - (off.exp() + 1.0).ln() * 2.0 + unit.ln();
         let contact_time_s = (at(Slot::Contact) * media.contact_sd).exp() * media.contact_time_s;
         std::array::from_fn(|lane| {
             let shapes = [0, 1, 2].map(|number| at(Slot::Shape(number)).0[lane]);
@@ -404,49 +392,12 @@ impl<'a> Model<'a> {
                 drag_strength: drag_strength.0[lane],
                 gravity_m_s2: gravity_m_s2.0[lane],
                 fall_launch_m_s: f64::NAN,
-                log_density: log_density.0[lane],
+                log_height_unit: 0.0,
                 scatter: scatter.0[lane],
                 timing: timing.0[lane],
                 contact_time_s: contact_time_s.0[lane],
             })
         })
-    }
-
-    /// About the restitution.
-    fn usual_restitution(&self) -> f64 {
-        self.middle.restitution.clamp(0.05, 0.995)
-    }
-
-    /// Its logit, from which the coordinate of the restitution counts.
-    fn reference_logit(&self) -> f64 {
-        let e = self.usual_restitution();
-        (e / (1.0 - e)).ln()
-    }
-
-    /// The unit of the coordinate of the restitution, in its logit: about the noise of one that an impact shows, which keeps
-    /// the restitution out of the correlations of the noise. Where none does, one.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
-    fn restitution_unit<const L: usize>(&self, scatter: Lanes<L>, timing: Lanes<L>) -> Lanes<L> {
-        if self.observed.restitutions() == 0 {
-            return Lanes::all(1.0);
-        }
-        let middle = self.observed.intervals.len() / 2;
-        self.noise(middle, scatter, timing) * (1.0 / (1.0 - self.usual_restitution()))
-    }
-
-    /// About the standard deviation of ln(launch speed) after an impact, given the speed before it.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
-    pub(super) fn noise<const L: usize>(
-        &self,
-        impact: usize,
-        scatter: Lanes<L>,
-        timing: Lanes<L>,
-    ) -> Lanes<L> {
-        let observed = self.observed;
-        let square = |x: f64| x * x;
-        let sigma_s = square(observed.sigma_s[impact]) + square(observed.sigma_s[impact + 1]);
-        let per_duration = sigma_s / square(observed.intervals[impact].duration_s);
-        (scatter * scatter + timing * timing * per_duration).sqrt()
     }
 
     fn restitution(&self, reference: f64, shapes: [f64; 3]) -> Result<Restitution> {
@@ -481,7 +432,7 @@ impl<'a> Model<'a> {
 
     /// Where a search may begin.
     pub(super) fn start(&self) -> Vec<f64> {
-        let e = self.usual_restitution();
+        let e = self.middle.restitution.clamp(0.05, 0.995);
         // One missed impact more means a fall 1/e faster.
         let first = self.middle.first_launch_m_s / e.powf(self.missed_first as f64 + 1.0);
         let height = match self.height() {
@@ -494,6 +445,7 @@ impl<'a> Model<'a> {
         self.slots
             .iter()
             .map(|slot| match slot {
+                Slot::Restitution => (e / (1.0 - e)).ln(),
                 Slot::Height => height,
                 // A knee in the fast impacts, and not steep: from there the search can go anywhere.
                 Slot::Shape(0) if self.law == LawKind::Knee => 1.0,
@@ -526,8 +478,11 @@ impl<'a> Model<'a> {
         for (place, slot) in self.slots.iter().enumerate() {
             let value = Lanes::of(|lane| vectors[lane][place]);
             let log = match slot {
-                // Its density depends on other unknowns too.
-                Slot::Restitution => Lanes::all(0.0),
+                // Flat in e: de/d(logit) = e (1 - e).
+                Slot::Restitution => {
+                    let off = -value.abs();
+                    off - (off.exp() + 1.0).ln() * 2.0
+                }
                 // Flat in ln h.
                 Slot::Height if self.height_m.is_none() => height_slope.ln(),
                 _ => value * value * -0.5,
