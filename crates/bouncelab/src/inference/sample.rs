@@ -1,8 +1,8 @@
 //! Importance sampling of the posterior of one model.
 //!
 //! The best fit and its curvature give a normal distribution; draws from a Student's t of that
-//! shape, weighted by what the posterior really is, are the posterior. Where a first round shows another
-//! centre or shape, it corrects them. The draws are those of a scrambled Sobol sequence: each of them is as
+//! shape, weighted by what the posterior really is, are the posterior. Where a first round shows that they do not
+//! fit, it corrects centre and shape. The draws are those of a scrambled Sobol sequence: each of them is as
 //! random as any, but together they cover the distribution more evenly than independent ones, so that fewer
 //! do (A. Owen, Ann. Stat. 25, 1541, 1997). The largest weights are smoothed by the generalised
 //! Pareto distribution that their tail follows, whose shape k tells whether the weights can be
@@ -80,26 +80,25 @@ impl Proposal {
         Some(Self { centre, root })
     }
 
-    /// Writes the draws that points of the unit cube stand for, one in each column; the logarithms of their densities, but
-    /// for a constant.
-    fn draw(&self, seed: u32, known: usize, draws: &mut DMatrix<f64>) -> Vec<f64> {
+    /// Writes the draws that points of the unit cube stand for, from one of their sequence on, one in each column; the
+    /// logarithms of their densities, but for a constant.
+    fn draw(&self, seed: u32, from: usize, draws: &mut DMatrix<f64>) -> Vec<f64> {
         let dimensions = self.centre.len();
         let mut densities = Vec::with_capacity(draws.ncols());
         for first in (0..draws.ncols()).step_by(LANES) {
-            let number = |lane: usize| (known + first + lane) as u32;
             let mut points = array::from_fn::<_, LANES, _>(|lane| {
-                let number = number(lane);
+                let number = (from + first + lane) as u32;
                 Point { number, seed }.coordinates()
             });
             let mut coordinate = || Lanes::of(|lane| points[lane].next().unwrap_or(0.5));
             let uniform: Vec<Lanes<LANES>> = iter::repeat_with(&mut coordinate)
                 .take(dimensions)
                 .collect();
-            let products =
+            let product =
                 (0..EXPONENTIALS).fold(Lanes::all(1.0), |product, _| product * coordinate());
             let (drawn, density) = dispatch(
                 #[inline(always)]
-                || self.transformed(uniform, products),
+                || self.transformed(uniform, product),
             );
             let used = LANES.min(draws.ncols() - first);
             for (unknown, drawn) in drawn.iter().enumerate() {
@@ -112,7 +111,8 @@ impl Proposal {
         densities
     }
 
-    /// The draws that uniform numbers stand for, and the product of as many as there are exponentials.
+    /// The draws that uniform numbers stand for, of which as many as there are exponentials are multiplied; and the logarithms
+    /// of their densities.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn transformed<const L: usize>(
         &self,
