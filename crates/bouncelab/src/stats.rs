@@ -11,14 +11,16 @@ pub(crate) fn sorted(values: impl IntoIterator<Item = f64>) -> Vec<f64> {
 ///
 /// Only numbers are sorted, with their places: sorting each type of its own takes 4 kB of a page.
 pub(crate) fn sort_by_number<T>(items: &mut [T], number: impl Fn(&T) -> f64) {
-    let places = in_order(items.iter().map(number).zip(0..).collect());
-    for (to, &(_, place)) in places.iter().enumerate() {
-        // What was there before has been swapped away, once or more.
-        let mut from = place;
+    let mut places = in_order(items.iter().map(number).zip(0..).collect());
+    for to in 0..items.len() {
+        // What was there before has been swapped away, once or more. Where to is remembered, so that the search does not
+        // grow with the list.
+        let mut from = places[to].1;
         while from < to {
             from = places[from].1;
         }
         items.swap(to, from);
+        places[to].1 = from;
     }
 }
 

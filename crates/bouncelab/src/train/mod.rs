@@ -34,8 +34,7 @@ mod rhythm;
 
 use crate::diagnostic::{Code, Diagnostic};
 use crate::onset::Onset;
-use crate::stats::{logistic, softplus};
-use crate::stats::{median, sort_by_number};
+use crate::stats::{logistic, median, softplus, sort_by_number};
 pub(crate) use chain::work;
 use chain::{Chain, Link};
 pub(crate) use evidence::{LN_MISSED, Span};
