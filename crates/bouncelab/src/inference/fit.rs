@@ -2,6 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
+use super::likelihood::Differences;
 use super::model::Model;
 
 /// The best vector of a model and the curvature there.
@@ -67,12 +68,18 @@ struct Place {
 impl Place {
     /// `None` where the vector makes no sense.
     fn new(model: &Model, vector: DVector<f64>) -> Option<Self> {
-        let differences = model.differences(vector.as_slice())?;
+        let Differences {
+            details,
+            residuals,
+            log_posterior,
+            slope,
+        } = model.differences(vector.as_slice())?;
+        let information = model.information(vector.as_slice(), residuals, &details);
         Some(Self {
-            log_posterior: differences.log_posterior,
-            slope: differences.slope.clone(),
-            expected: Cholesky::new(model.information(vector.as_slice(), differences))?,
             vector,
+            log_posterior,
+            slope,
+            expected: Cholesky::new(information)?,
         })
     }
 

@@ -250,12 +250,12 @@ impl<'a> Model<'a> {
     /// The information about the unknowns at a vector, by the derivatives of the residuals: how fast the
     /// log posterior falls off in each direction. Exact for a normal posterior, and near enough for a
     /// search.
-    pub(super) fn information(&self, vector: &[f64], differences: Differences) -> DMatrix<f64> {
-        let Differences {
-            details,
-            residuals: mut slopes,
-            ..
-        } = differences;
+    pub(super) fn information(
+        &self,
+        vector: &[f64],
+        mut slopes: DMatrix<f64>,
+        details: &Details,
+    ) -> DMatrix<f64> {
         details.whiten(&mut slopes);
         let mut weighted = slopes.clone();
         for (mut row, innovation) in weighted.row_iter_mut().zip(&details.innovations) {

@@ -645,23 +645,20 @@ fn follows_reynolds(environment: &Environment) -> bool {
 }
 
 /// The highest evidence of the candidates.
-fn best_evidence(candidates: &[Candidate]) -> f64 {
-    candidates
-        .iter()
-        .map(|candidate| candidate.log_evidence)
-        .fold(f64::NEG_INFINITY, f64::max)
+fn best_evidence<'a>(candidates: impl IntoIterator<Item = &'a Candidate>) -> f64 {
+    let evidences = candidates
+        .into_iter()
+        .map(|candidate| candidate.log_evidence);
+    evidences.fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// How many missed impacts before the first one heard are to be considered: those that may explain the times under another
 /// drag law, if one has been fitted.
 fn most_missed(law: LawKind, numbering: usize, candidates: &[Candidate]) -> usize {
     let alike = |candidate: &&Candidate| candidate.law == law && candidate.numbering == numbering;
-    let alike: Vec<&Candidate> = candidates.iter().filter(alike).collect();
-    let evidences = alike.iter().map(|candidate| candidate.log_evidence);
-    let best = evidences.fold(f64::NEG_INFINITY, f64::max);
-    let possible = alike
-        .iter()
-        .rfind(|candidate| candidate.log_evidence >= best - 2.0 * PRUNE_BELOW);
+    let alike = || candidates.iter().filter(alike);
+    let best = best_evidence(alike());
+    let possible = alike().rfind(|candidate| candidate.log_evidence >= best - 2.0 * PRUNE_BELOW);
     possible.map_or(MOST_MISSED_FIRST, |candidate| candidate.missed_first)
 }
 
@@ -677,7 +674,7 @@ fn highest_posterior(candidates: &[Candidate], numbering: usize) -> f64 {
 /// Sorts by evidence, and turns evidence into probability.
 fn weigh(candidates: &mut [Candidate]) {
     sort_by_number(candidates, |candidate| -candidate.log_evidence);
-    let best = best_evidence(candidates);
+    let best = best_evidence(&*candidates);
     let total: f64 = candidates
         .iter()
         .map(|candidate| (candidate.log_evidence - best).exp())
