@@ -86,8 +86,8 @@ const FEWEST_IMPACTS: usize = 5;
 struct Drop {
     times_s: Vec<f64>,
     law: Law,
-    /// Of the second surface over the first, and from which impact on.
-    second: (f64, usize),
+    /// Restitution of the second surface over that of the first, and the speed of the first impact on it, m/s.
+    second: (f64, f64),
     height_m: f64,
     first_impact_m_s: f64,
     /// From the release until rest; `None` if it never rests.
@@ -166,10 +166,11 @@ impl Drop {
             World::Drifting => 0.1 * normal(rng) / 343.0,
             _ => 0.0,
         };
-        let second = match world {
+        let (second_per_first, second_from) = match world {
             World::TwoSurfaces => ((0.01 * normal(rng)).exp(), rng.random_range(2..12)),
             _ => (1.0, usize::MAX),
         };
+        let mut second = (1.0, 0.0);
         let fall = model.fall(height_m).ok()?;
         let first_impact_m_s = fall.impact_speed_m_s;
         let mut speed = first_impact_m_s;
@@ -192,8 +193,10 @@ impl Drop {
             }
             let wild = world == World::Wild && rng.random::<f64>() < 0.03;
             let spread = if wild { 10.0 * scatter } else { scatter };
-            let surface = if number >= second.1 { second.0 } else { 1.0 };
-            let expected = surface * law.at(speed);
+            if number == second_from {
+                second = (second_per_first, speed);
+            }
+            let expected = second.0 * law.at(speed);
             let kept = expected * (spread * normal(rng)).exp();
             let launch = speed * kept.min(1.0);
             time_s += contact_s;
@@ -218,14 +221,11 @@ impl Drop {
         })
     }
 
-    /// The truth of the restitution at a speed: of two surfaces, their mean over the impacts that show
-    /// one, those between two flights.
+    /// The truth of the restitution at a speed: on the surface that impacts of such a speed are on.
     fn restitution(&self, speed_m_s: f64) -> f64 {
-        let (factor, from) = self.second;
-        let shown = &self.numbers[1..self.numbers.len() - 1];
-        let other = shown.iter().filter(|&&number| number >= from);
-        let share = other.count() as f64 / shown.len() as f64;
-        self.law.at(speed_m_s) * factor.powf(share)
+        let (factor, fastest_m_s) = self.second;
+        let on_second = speed_m_s <= fastest_m_s;
+        self.law.at(speed_m_s) * if on_second { factor } else { 1.0 }
     }
 }
 

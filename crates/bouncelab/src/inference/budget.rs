@@ -80,8 +80,8 @@ struct Linear {
 
 impl Linear {
     fn new(model: &Model, vector: &[f64]) -> Option<Self> {
-        let point = model.point(vector)?;
         let Differences {
+            point,
             details,
             residuals: slopes,
             ..
@@ -91,11 +91,8 @@ impl Linear {
         let [by_time, by_scatter, by_release] = noise.covariances(&details.residuals, weights);
         let covariance = Banded::sum([&by_time, &by_scatter, &by_release]);
         let precise = covariance.solve_columns(slopes.clone())?;
-        let priors = model
-            .slots()
-            .iter()
-            .zip(vector)
-            .map(|(&slot, &value)| model.prior_information(slot, value));
+        let slots = model.slots().iter();
+        let priors = slots.map(|&slot| model.prior_information(slot, &point));
         let priors = DMatrix::from_diagonal(&DVector::from_iterator(vector.len(), priors));
         let information = slopes.transpose() * &precise + priors;
         let covariance = Cholesky::new(information)?.inverse();

@@ -69,12 +69,13 @@ impl Place {
     /// `None` where the vector makes no sense.
     fn new(model: &Model, vector: DVector<f64>) -> Option<Self> {
         let Differences {
+            point,
             details,
             residuals,
             log_posterior,
             slope,
         } = model.differences(vector.as_slice())?;
-        let information = model.information(vector.as_slice(), residuals, &details);
+        let information = model.information(vector.as_slice(), &point, residuals, &details);
         Some(Self {
             vector,
             log_posterior,

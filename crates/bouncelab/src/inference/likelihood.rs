@@ -58,6 +58,7 @@ pub(super) struct Details {
 
 /// What a vector says, and the derivatives there by the unknowns.
 pub(super) struct Differences {
+    pub(super) point: Point,
     pub(super) details: Details,
     /// Of each residual, in a row.
     pub(super) residuals: DMatrix<f64>,
@@ -189,9 +190,9 @@ impl<'a> Model<'a> {
                     return [None; L];
                 };
                 let height_slope = Lanes::of(|lane| trials.falls[lane].height_slope);
-                let log_unit = Lanes::of(|lane| trials.points[lane].log_height_unit);
+                let log_density = Lanes::of(|lane| trials.points[lane].log_density);
                 let log_likelihood = self.log_likelihood(&trials, &mut |step, _| tell(step));
-                let total = self.log_prior(vectors, height_slope) + log_unit + log_likelihood;
+                let total = self.log_prior(vectors, height_slope) + log_density + log_likelihood;
                 std::array::from_fn(|lane| {
                     let sound = trials.sound[lane] && total.0[lane].is_finite();
                     sound.then_some(total.0[lane])
@@ -253,6 +254,7 @@ impl<'a> Model<'a> {
     pub(super) fn information(
         &self,
         vector: &[f64],
+        point: &Point,
         mut slopes: DMatrix<f64>,
         details: &Details,
     ) -> DMatrix<f64> {
@@ -277,7 +279,7 @@ impl<'a> Model<'a> {
                 let product = |factor: &Factor| shares(a, factor) * shares(b, factor);
                 information[(i, j)] += tells * details.factors.iter().map(product).sum::<f64>();
             }
-            information[(i, i)] += self.prior_information(a, vector[i]);
+            information[(i, i)] += self.prior_information(a, point);
         }
         information
     }
@@ -306,6 +308,7 @@ impl<'a> Model<'a> {
         residuals /= 2.0 * STEP;
         let slope = |unknown: usize| (logs[unknown] - logs[unknowns + unknown]) / (2.0 * STEP);
         Some(Differences {
+            point: self.point(vector)?,
             details,
             residuals,
             slope: DVector::from_fn(unknowns, |unknown, _| slope(unknown)),

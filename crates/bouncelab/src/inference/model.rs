@@ -50,6 +50,8 @@ pub(super) struct Model<'a> {
     pub(super) timing_sd: f64,
     typical_scatter: f64,
     slots: Vec<Slot>,
+    /// The logit from which the coordinate of the restitution counts in units of the noise; it is the logit if `None`.
+    reference_logit: Option<f64>,
 }
 
 /// Ball, air and gravity under one drag law, with what is not known of them.
@@ -102,7 +104,7 @@ pub(super) enum Slot {
     Gravity,
     /// ... and of drag over weight, apart from its coefficient.
     Inputs,
-    /// logit e*.
+    /// logit e*, or how far it is from a reference in units of the noise.
     Restitution,
     /// The numbers of the law besides e*, as standard normals.
     Shape(usize),
@@ -139,8 +141,8 @@ pub(super) struct Point {
     pub(super) drag_strength: f64,
     pub(super) gravity_m_s2: f64,
     pub(super) fall_launch_m_s: f64,
-    /// ln of the unit of the coordinate of the height, in ln(launch speed).
-    pub(super) log_height_unit: f64,
+    /// Logarithm of the prior density of the coordinate of the restitution, and of the unit of that of the height.
+    pub(super) log_density: f64,
     pub(super) scatter: f64,
     pub(super) timing: f64,
     pub(super) contact_time_s: f64,
@@ -321,6 +323,16 @@ impl<'a> Model<'a> {
             timing_sd,
             typical_scatter: priors.restitution_scatter,
             slots,
+            reference_logit: None,
+        }
+    }
+
+    /// The same with a coordinate of the restitution that counts from a logit in units of the noise, if there is one. Few
+    /// impacts hardly tell the noise, and the restitution the less the larger it is, but in its units always as well.
+    pub(super) fn with_restitution_from(self, reference_logit: Option<f64>) -> Self {
+        Self {
+            reference_logit,
+            ..self
         }
     }
 
@@ -358,9 +370,15 @@ impl<'a> Model<'a> {
     }
 
     /// What the prior alone says of an unknown: minus the second derivative of its logarithm.
-    pub(super) fn prior_information(&self, slot: Slot, value: f64) -> f64 {
+    pub(super) fn prior_information(&self, slot: Slot, point: &Point) -> f64 {
         match slot {
-            Slot::Restitution => 2.0 * logistic(value) * logistic(-value),
+            // Flat in e: de/d(logit) = e (1 - e).
+            Slot::Restitution => {
+                let (scatter, timing) = (Lanes([point.scatter]), Lanes([point.timing]));
+                let [unit] = self.restitution_unit(scatter, timing).0;
+                let e = point.law.at(self.middle.speed_m_s);
+                2.0 * e * (1.0 - e) * unit * unit
+            }
             Slot::Height if self.height_m.is_none() => 0.0,
             _ => 1.0,
         }
@@ -375,7 +393,6 @@ impl<'a> Model<'a> {
         }
         let at = |slot: Slot| values[index(slot)];
         let (media, inputs) = (self.media, &self.media.inputs);
-        let restitution = Lanes::all(1.0) / ((-at(Slot::Restitution)).exp() + 1.0);
         let drag_scale = (at(Slot::Drag) * media.drag_sd).exp();
         let log_inputs =
             at(Slot::Gravity) * inputs.drag_on_gravity + at(Slot::Inputs) * inputs.drag_sd;
@@ -383,6 +400,12 @@ impl<'a> Model<'a> {
         let gravity_m_s2 = (at(Slot::Gravity) * inputs.gravity_sd).exp() * media.gravity_m_s2;
         let scatter = scatter_prior::factors(at(Slot::Scatter)) * self.typical_scatter;
         let timing = (at(Slot::Timing) * self.timing_sd).exp();
+        let unit = self.restitution_unit(scatter, timing);
+        let logit = at(Slot::Restitution) * unit + self.reference_logit.unwrap_or(0.0);
+        let restitution = Lanes::all(1.0) / ((-logit).exp() + 1.0);
+        // Flat in e: de/d(logit) = e (1 - e).
+        let off = -logit.abs();
+        let log_density = off - (off.exp() + 1.0).ln() * 2.0 + unit.ln();
         let contact_time_s = (at(Slot::Contact) * media.contact_sd).exp() * media.contact_time_s;
         std::array::from_fn(|lane| {
             let shapes = [0, 1, 2].map(|number| at(Slot::Shape(number)).0[lane]);
@@ -392,12 +415,38 @@ impl<'a> Model<'a> {
                 drag_strength: drag_strength.0[lane],
                 gravity_m_s2: gravity_m_s2.0[lane],
                 fall_launch_m_s: f64::NAN,
-                log_height_unit: 0.0,
+                log_density: log_density.0[lane],
                 scatter: scatter.0[lane],
                 timing: timing.0[lane],
                 contact_time_s: contact_time_s.0[lane],
             })
         })
+    }
+
+    /// The unit of the coordinate of the restitution, in its logit.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    fn restitution_unit<const L: usize>(&self, scatter: Lanes<L>, timing: Lanes<L>) -> Lanes<L> {
+        let Some(reference_logit) = self.reference_logit else {
+            return Lanes::all(1.0);
+        };
+        // d(logit)/d(ln e) = 1/(1 - e).
+        let middle = self.observed.intervals.len() / 2;
+        self.noise(middle, scatter, timing) * (1.0 / logistic(-reference_logit))
+    }
+
+    /// About the standard deviation of ln(launch speed) after an impact, given the speed before it.
+    #[cfg_attr(not(target_family = "wasm"), inline(always))]
+    pub(super) fn noise<const L: usize>(
+        &self,
+        impact: usize,
+        scatter: Lanes<L>,
+        timing: Lanes<L>,
+    ) -> Lanes<L> {
+        let observed = self.observed;
+        let square = |x: f64| x * x;
+        let sigma_s = square(observed.sigma_s[impact]) + square(observed.sigma_s[impact + 1]);
+        let per_duration = sigma_s / square(observed.intervals[impact].duration_s);
+        (scatter * scatter + timing * timing * per_duration).sqrt()
     }
 
     fn restitution(&self, reference: f64, shapes: [f64; 3]) -> Result<Restitution> {
@@ -478,11 +527,8 @@ impl<'a> Model<'a> {
         for (place, slot) in self.slots.iter().enumerate() {
             let value = Lanes::of(|lane| vectors[lane][place]);
             let log = match slot {
-                // Flat in e: de/d(logit) = e (1 - e).
-                Slot::Restitution => {
-                    let off = -value.abs();
-                    off - (off.exp() + 1.0).ln() * 2.0
-                }
+                // Its density depends on other unknowns too.
+                Slot::Restitution => Lanes::all(0.0),
                 // Flat in ln h.
                 Slot::Height if self.height_m.is_none() => height_slope.ln(),
                 _ => value * value * -0.5,

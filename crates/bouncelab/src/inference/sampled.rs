@@ -7,7 +7,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::fit::{self, Fit};
 use super::likelihood::Innovation;
-use super::model::{Medium, Model, Point, ReferenceSpeed};
+use super::model::{Medium, Model, Point, ReferenceSpeed, Slot};
 use super::numbering;
 use super::observed::Observed;
 use super::order::order;
@@ -77,6 +77,8 @@ pub(super) struct Candidate {
     /// Which of the numberings.
     pub(super) numbering: usize,
     pub(super) fit: Fit,
+    /// The logit from which the coordinate of the restitution counts in units of the noise, once it is sampled.
+    reference_logit: Option<f64>,
     /// Logarithm of prior probability times evidence.
     pub(super) log_evidence: f64,
     pub(super) weight: f64,
@@ -275,9 +277,11 @@ impl SampledPosterior {
             media,
             missed_first,
             numbering,
+            reference_logit,
             ..
         } = *candidate;
         self.model_of(law, media, missed_first, numbering)
+            .with_restitution_from(reference_logit)
     }
 
     /// The models of the candidates, in their order.
@@ -389,6 +393,7 @@ impl SampledPosterior {
                 numbering,
                 log_evidence: fit.log_laplace_evidence(),
                 fit,
+                reference_logit: None,
                 weight: 0.0,
                 sample: None,
             };
@@ -440,6 +445,7 @@ impl SampledPosterior {
             if candidate.log_evidence < best - PRUNE_BELOW {
                 continue;
             }
+            self.count_restitution_in_noise(candidate);
             let model = self.model(candidate);
             let draws = (sampler.draws as f64 * candidate.weight) as usize;
             let sample = sample::sample(
@@ -458,6 +464,24 @@ impl SampledPosterior {
         self.draws = self.pooled(sampler);
         for sample in self.candidates.iter_mut().filter_map(|c| c.sample.as_mut()) {
             sample.forget_draws();
+        }
+    }
+
+    /// Fits a candidate again with a restitution that counts from the fit in units of the noise, where restitutions are shown
+    /// but so few that the noise is hardly known.
+    fn count_restitution_in_noise(&self, candidate: &mut Candidate) {
+        let model = self.model(candidate);
+        let observed = model.observed;
+        let few = observed.restitutions() > 0 && observed.intervals.len() < MANY_FLIGHTS;
+        let Some(place) = model.place(Slot::Restitution).filter(|_| few) else {
+            return;
+        };
+        let mut start = candidate.fit.vector.as_slice().to_vec();
+        let reference_logit = Some(std::mem::take(&mut start[place]));
+        let model = model.with_restitution_from(reference_logit);
+        if let Some(fit) = fit::best_fit(&model, start, f64::NEG_INFINITY) {
+            candidate.fit = fit;
+            candidate.reference_logit = reference_logit;
         }
     }
 
@@ -651,6 +675,9 @@ fn best_evidence<'a>(candidates: impl IntoIterator<Item = &'a Candidate>) -> f64
         .map(|candidate| candidate.log_evidence);
     evidences.fold(f64::NEG_INFINITY, f64::max)
 }
+
+/// So many flights tell the noise to about a fifth; how well they tell the restitution then depends little on it.
+const MANY_FLIGHTS: usize = 16;
 
 /// How many missed impacts before the first one heard are to be considered: those that may explain the times under another
 /// drag law, if one has been fitted.

@@ -69,10 +69,10 @@ impl<'a> Model<'a> {
                 tables[lane].rising_to(gravity_height).unwrap_or(f64::NAN)
             }),
             Height::FromFirstFlight => {
-                let noise = self.first_noise(&points);
-                let log_units = noise.ln();
-                for (point, unit) in points.iter_mut().zip(log_units.0) {
-                    point.log_height_unit = unit;
+                let of = |number: fn(&Point) -> f64| Lanes::of(|lane| number(&points[lane]));
+                let noise = self.noise(0, of(|point| point.scatter), of(|point| point.timing));
+                for (point, unit) in points.iter_mut().zip(noise.ln().0) {
+                    point.log_density += unit;
                 }
                 (self.suggested_ln_launch(&points, &tables) + noise * place).exp()
             }
@@ -138,18 +138,6 @@ impl<'a> Model<'a> {
         };
         let off = ln_impact - of(|row| row.impact).ln();
         ln_impact + off / of(|row| row.impact_slope).max(LEAST_SLOPE)
-    }
-
-    /// About the standard deviation of ln(launch speed) after the first impact detected, given the fall.
-    #[cfg_attr(not(target_family = "wasm"), inline(always))]
-    fn first_noise<const L: usize>(&self, points: &[Point; L]) -> Lanes<L> {
-        let observed = self.observed;
-        let square = |x: f64| x * x;
-        let sigma_s = square(observed.sigma_s[0]) + square(observed.sigma_s[1]);
-        let per_duration = sigma_s / square(observed.intervals[0].duration_s);
-        let of = |number: fn(&Point) -> f64| Lanes::of(|lane| number(&points[lane]));
-        let (scatter, timing) = (of(|point| point.scatter), of(|point| point.timing));
-        (scatter * scatter + timing * timing * per_duration).sqrt()
     }
 
     /// The drop height that a point stands for, m.
