@@ -125,7 +125,8 @@ fn gravity_from_published_times() {
         ],
     );
     let g = number(&found["gravity_m_s2"]["value"]);
-    assert!((g / 9.82 - 1.0).abs() < 1e-3, "{g}");
+    // The uncertainty is 0.6; over seeds, the value scatters by 0.006.
+    assert!((g / 9.82 - 1.0).abs() < 3e-3, "{g}");
 }
 
 #[test]

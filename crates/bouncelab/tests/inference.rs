@@ -595,3 +595,24 @@ fn a_rough_surface_is_noticed() {
     assert!(scattered(0.03));
     assert!(!scattered(0.003));
 }
+
+/// Times noted by hand, forty times worse than those of a recording: that is not taken for a rough surface.
+#[test]
+fn errors_of_times_that_nobody_stated_are_found() {
+    let truth = Truth {
+        law: Restitution::constant(0.9).unwrap(),
+        sigma_s: 2e-3,
+        impacts: 24,
+        ..Truth::new()
+    };
+    for seed in 0..5 {
+        let unstated = truth.impacts(seed).into_iter().map(|impact| impact.time_s);
+        let unstated = times(&unstated.collect::<Vec<f64>>());
+        let found = truth.infer(&unstated, &Priors::default()).unwrap();
+        assert!(found.sampling.converged, "{seed}");
+        assert!((1e-3..4e-3).contains(&found.timing_s.value), "{seed}");
+        assert!(found.restitution_scatter.value < 0.015, "{seed}");
+        let off = (found.restitution.value - 0.9) / found.restitution.sd;
+        assert!(off.abs() < 4.0, "{seed}: {off}");
+    }
+}

@@ -3,7 +3,7 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::likelihood::Differences;
-use super::model::Model;
+use super::model::{ExpectedRestitution, Model, Slot};
 
 /// The best vector of a model and the curvature there.
 #[derive(Debug, Clone)]
@@ -20,6 +20,23 @@ impl Fit {
     pub(super) fn log_laplace_evidence(&self) -> f64 {
         let scaled = &self.covariance * (2.0 * std::f64::consts::PI);
         self.log_posterior + 0.5 * scaled.determinant().ln()
+    }
+
+    /// What the unknowns that impacts hardly tell make one expect of the restitution, and its place in the vector. They are
+    /// as independent of each other as before the data.
+    pub(super) fn expected_restitution(
+        &self,
+        model: &Model,
+    ) -> Option<(usize, ExpectedRestitution)> {
+        let place = model.place(Slot::Restitution)?;
+        let by = ExpectedRestitution::BY.map(|slot| model.place(slot));
+        let slope = |by: usize| self.covariance[(place, by)] / self.covariance[(by, by)];
+        let moved = by.iter().flatten().map(|&by| slope(by) * self.vector[by]);
+        let expected = ExpectedRestitution {
+            logit: self.vector[place] - moved.sum::<f64>(),
+            slopes: by.map(|by| by.map_or(0.0, slope)),
+        };
+        Some((place, expected))
     }
 }
 

@@ -1,5 +1,7 @@
 //! The unknowns of a drop, their priors, and the place of each in a vector.
 
+use nalgebra::DMatrix;
+
 use super::observed::Observed;
 use super::priors::{LawKind, Measured, Priors};
 use super::scatter_prior;
@@ -50,8 +52,8 @@ pub(super) struct Model<'a> {
     pub(super) timing_sd: f64,
     typical_scatter: f64,
     slots: Vec<Slot>,
-    /// The logit from which the coordinate of the restitution counts in units of the noise; it is the logit if `None`.
-    reference_logit: Option<f64>,
+    /// From where the coordinate of the restitution counts, in units of the noise; it is the logit if `None`.
+    expected_restitution: Option<ExpectedRestitution>,
 }
 
 /// Ball, air and gravity under one drag law, with what is not known of them.
@@ -79,6 +81,19 @@ pub(super) struct Inputs {
     drag_sd: f64,
 }
 
+/// What the unknowns that impacts hardly tell make one expect of the restitution: a logit that is linear in them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ExpectedRestitution {
+    /// Where all of them are zero.
+    pub(super) logit: f64,
+    /// Its derivative by each of them.
+    pub(super) slopes: [f64; ExpectedRestitution::BY.len()],
+}
+
+impl ExpectedRestitution {
+    pub(super) const BY: [Slot; 4] = [Slot::Drag, Slot::Gravity, Slot::Inputs, Slot::Contact];
+}
+
 /// The middle of what was detected, at which laws are pinned.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ReferenceSpeed {
@@ -93,6 +108,8 @@ pub(super) struct ReferenceSpeed {
     pub(super) first_launch_m_s: f64,
     /// Robust standard deviation of ln e, if any impact shows one.
     pub(super) scatter: Option<f64>,
+    /// The same as a factor on the errors of the times, if all of it was theirs.
+    pub(super) timing: Option<f64>,
 }
 
 /// An unknown with a place in the vector.
@@ -104,7 +121,7 @@ pub(super) enum Slot {
     Gravity,
     /// ... and of drag over weight, apart from its coefficient.
     Inputs,
-    /// logit e*, or how far it is from a reference in units of the noise.
+    /// logit e*, or how far it is from the one expected in units of the noise.
     Restitution,
     /// The numbers of the law besides e*, as standard normals.
     Shape(usize),
@@ -323,15 +340,16 @@ impl<'a> Model<'a> {
             timing_sd,
             typical_scatter: priors.restitution_scatter,
             slots,
-            reference_logit: None,
+            expected_restitution: None,
         }
     }
 
-    /// The same with a coordinate of the restitution that counts from a logit in units of the noise, if there is one. Few
-    /// impacts hardly tell the noise, and the restitution the less the larger it is, but in its units always as well.
-    pub(super) fn with_restitution_from(self, reference_logit: Option<f64>) -> Self {
+    /// The same with a coordinate of the restitution that counts from the one expected in units of the noise, if there is
+    /// one. Few impacts hardly tell the noise, and the restitution the less the larger it is, but in its units always as
+    /// well.
+    pub(super) fn with_expected_restitution(self, expected: Option<ExpectedRestitution>) -> Self {
         Self {
-            reference_logit,
+            expected_restitution: expected,
             ..self
         }
     }
@@ -401,7 +419,13 @@ impl<'a> Model<'a> {
         let scatter = scatter_prior::factors(at(Slot::Scatter)) * self.typical_scatter;
         let timing = (at(Slot::Timing) * self.timing_sd).exp();
         let unit = self.restitution_unit(scatter, timing);
-        let logit = at(Slot::Restitution) * unit + self.reference_logit.unwrap_or(0.0);
+        let expected = self.expected_restitution.map_or(Lanes::all(0.0), |it| {
+            let by = ExpectedRestitution::BY.into_iter().zip(it.slopes);
+            by.fold(Lanes::all(it.logit), |sum, (slot, slope)| {
+                sum + at(slot) * slope
+            })
+        });
+        let logit = at(Slot::Restitution) * unit + expected;
         let restitution = Lanes::all(1.0) / ((-logit).exp() + 1.0);
         // Flat in e: de/d(logit) = e (1 - e).
         let off = -logit.abs();
@@ -426,12 +450,10 @@ impl<'a> Model<'a> {
     /// The unit of the coordinate of the restitution, in its logit.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn restitution_unit<const L: usize>(&self, scatter: Lanes<L>, timing: Lanes<L>) -> Lanes<L> {
-        let Some(reference_logit) = self.reference_logit else {
+        if self.expected_restitution.is_none() {
             return Lanes::all(1.0);
-        };
-        // d(logit)/d(ln e) = 1/(1 - e).
-        let middle = self.observed.intervals.len() / 2;
-        self.noise(middle, scatter, timing) * (1.0 / logistic(-reference_logit))
+        }
+        self.noise(self.observed.intervals.len() / 2, scatter, timing)
     }
 
     /// About the standard deviation of ln(launch speed) after an impact, given the speed before it.
@@ -479,8 +501,28 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// Where a search may begin.
+    /// Where a search may begin: what impacts differ by is scatter, or errors of the times, whichever is more probable.
     pub(super) fn start(&self) -> Vec<f64> {
+        let scatter = self.middle.scatter.map_or(0.0, |scatter| {
+            scatter_prior::normal(scatter / self.typical_scatter)
+        });
+        let timing = self
+            .middle
+            .timing
+            .map_or(0.0, |timing| timing.ln().max(0.0) / self.timing_sd);
+        let starts = [(scatter, 0.0), (0.0, timing)]
+            .map(|(scatter, timing)| self.start_with(scatter, timing));
+        let tried = DMatrix::from_fn(starts[0].len(), 2, |place, start| starts[start][place]);
+        let [by_scatter, by_timing] = starts;
+        // One that makes no sense is less than any.
+        match self.log_posteriors(&tried)[..] {
+            [scatter, timing] if timing > scatter => by_timing,
+            _ => by_scatter,
+        }
+    }
+
+    /// The same with these standard normals of the two.
+    fn start_with(&self, scatter: f64, timing: f64) -> Vec<f64> {
         let e = self.middle.restitution.clamp(0.05, 0.995);
         // One missed impact more means a fall 1/e faster.
         let first = self.middle.first_launch_m_s / e.powf(self.missed_first as f64 + 1.0);
@@ -488,9 +530,6 @@ impl<'a> Model<'a> {
             Height::Measured(_) | Height::FromFirstFlight => 0.0,
             Height::Speed => first.ln(),
         };
-        let scatter = self.middle.scatter.map_or(0.0, |scatter| {
-            scatter_prior::normal(scatter / self.typical_scatter)
-        });
         self.slots
             .iter()
             .map(|slot| match slot {
@@ -500,6 +539,7 @@ impl<'a> Model<'a> {
                 Slot::Shape(0) if self.law == LawKind::Knee => 1.0,
                 Slot::Shape(1) if self.law == LawKind::Knee => -1.0,
                 Slot::Scatter => scatter.clamp(-3.0, 3.0),
+                Slot::Timing => timing.clamp(-3.0, 3.0),
                 _ => 0.0,
             })
             .collect()
@@ -510,7 +550,7 @@ impl<'a> Model<'a> {
     pub(super) fn start_from(&self, fitted: &Self, fit: &[f64]) -> Vec<f64> {
         let alike = |slot: &Slot| self.law == fitted.law || !matches!(slot, Slot::Shape(_));
         let known = |slot: &Slot| fitted.place(*slot).filter(|_| alike(slot));
-        let usual = self.slots.iter().zip(self.start());
+        let usual = self.slots.iter().zip(self.start_with(0.0, 0.0));
         usual
             .map(|(slot, usual)| known(slot).map_or(usual, |place| fit[place]))
             .collect()
@@ -557,12 +597,23 @@ impl ReferenceSpeed {
             .collect::<Option<Vec<Row>>>()
             .ok_or(Error::CannotInfer(InferenceFailure::FlightTooLong))?;
         let single = |place: usize| observed.intervals[place].flights == 1;
-        let logs: Vec<f64> = (1..rows.len())
-            .filter(|&place| single(place) && single(place - 1))
-            .map(|place| (rows[place].launch / rows[place - 1].impact).ln())
+        let places = (1..rows.len()).filter(|&place| single(place) && single(place - 1));
+        let logs: Vec<(usize, f64)> = places
+            .map(|place| (place, (rows[place].launch / rows[place - 1].impact).ln()))
             .collect();
-        let middle = median(logs.iter().copied());
-        let scatter = robust_sd(logs.iter().map(|log| log - middle.unwrap_or(0.0)));
+        let middle = median(logs.iter().map(|&(_, log)| log));
+        let off = |log: f64| log - middle.unwrap_or(0.0);
+        let scatter = robust_sd(logs.iter().map(|&(_, log)| off(log)));
+        let by_time = |place: usize| {
+            let [before, after] =
+                [place - 1, place].map(|it| 1.0 / observed.intervals[it].duration_s);
+            let slopes = [before, before + after, after].into_iter();
+            let by = slopes
+                .zip(&observed.sigma_s[place - 1..])
+                .map(|(slope, sigma)| slope * sigma);
+            by.map(|by| by * by).sum::<f64>().sqrt()
+        };
+        let timing = robust_sd(logs.iter().map(|&(place, log)| off(log) / by_time(place)));
         if middle.is_some_and(|log_e| log_e > 0.1) {
             return Err(Error::CannotInfer(InferenceFailure::GainsSpeed));
         }
@@ -578,6 +629,7 @@ impl ReferenceSpeed {
             restitution: middle.map_or(GUESS, f64::exp),
             first_launch_m_s: rows[0].launch,
             scatter: scatter.map(|scatter| scatter.max(1e-4)),
+            timing,
         })
     }
 }

@@ -7,7 +7,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::fit::{self, Fit};
 use super::likelihood::Innovation;
-use super::model::{Medium, Model, Point, ReferenceSpeed, Slot};
+use super::model::{ExpectedRestitution, Medium, Model, Point, ReferenceSpeed};
 use super::numbering;
 use super::observed::Observed;
 use super::order::order;
@@ -77,8 +77,8 @@ pub(super) struct Candidate {
     /// Which of the numberings.
     pub(super) numbering: usize,
     pub(super) fit: Fit,
-    /// The logit from which the coordinate of the restitution counts in units of the noise, once it is sampled.
-    reference_logit: Option<f64>,
+    /// From where the coordinate of the restitution counts, if it is sampled in units of the noise.
+    expected_restitution: Option<ExpectedRestitution>,
     /// Logarithm of prior probability times evidence.
     pub(super) log_evidence: f64,
     pub(super) weight: f64,
@@ -277,11 +277,11 @@ impl SampledPosterior {
             media,
             missed_first,
             numbering,
-            reference_logit,
+            expected_restitution,
             ..
         } = *candidate;
         self.model_of(law, media, missed_first, numbering)
-            .with_restitution_from(reference_logit)
+            .with_expected_restitution(expected_restitution)
     }
 
     /// The models of the candidates, in their order.
@@ -393,7 +393,7 @@ impl SampledPosterior {
                 numbering,
                 log_evidence: fit.log_laplace_evidence(),
                 fit,
-                reference_logit: None,
+                expected_restitution: None,
                 weight: 0.0,
                 sample: None,
             };
@@ -467,21 +467,22 @@ impl SampledPosterior {
         }
     }
 
-    /// Fits a candidate again with a restitution that counts from the fit in units of the noise, where restitutions are shown
-    /// but so few that the noise is hardly known.
+    /// Fits a candidate again with a restitution that counts in units of the noise, where so few impacts show one that the
+    /// noise is hardly known.
     fn count_restitution_in_noise(&self, candidate: &mut Candidate) {
         let model = self.model(candidate);
         let observed = model.observed;
-        let few = observed.restitutions() > 0 && observed.intervals.len() < MANY_FLIGHTS;
-        let Some(place) = model.place(Slot::Restitution).filter(|_| few) else {
+        let few = observed.restitutions() > 1 && observed.intervals.len() < MANY_FLIGHTS;
+        let expected = candidate.fit.expected_restitution(&model);
+        let Some((place, expected)) = expected.filter(|_| few) else {
             return;
         };
         let mut start = candidate.fit.vector.as_slice().to_vec();
-        let reference_logit = Some(std::mem::take(&mut start[place]));
-        let model = model.with_restitution_from(reference_logit);
+        start[place] = 0.0;
+        let model = model.with_expected_restitution(Some(expected));
         if let Some(fit) = fit::best_fit(&model, start, f64::NEG_INFINITY) {
             candidate.fit = fit;
-            candidate.reference_logit = reference_logit;
+            candidate.expected_restitution = Some(expected);
         }
     }
 
