@@ -200,6 +200,8 @@ impl Secants {
 mod tests {
     use super::*;
     use crate::inference::likelihood::tests::{impacts, with_model};
+    use crate::inference::model::Point;
+    use crate::simd::Lanes;
 
     /// The log posterior there is the one stated, and a step to either side of each unknown leads down.
     #[test]
@@ -219,6 +221,36 @@ mod tests {
             for log in logs {
                 assert!(log.unwrap() < there - 0.01);
             }
+        });
+    }
+
+    /// The same restitution in units of the noise is the same point, and as probable but for the unit.
+    #[test]
+    fn a_restitution_in_units_of_the_noise_is_as_probable() {
+        with_model(&impacts(), |model, _| {
+            let fit = best_fit(model, model.start(), f64::NEG_INFINITY).unwrap();
+            let (place, expected) = fit.expected_restitution(model).unwrap();
+            let counted = model.clone().with_expected_restitution(Some(expected));
+            let shifted = fit.vector.map(|value| value + 0.3);
+            let point = model.point(shifted.as_slice()).unwrap();
+            let by = ExpectedRestitution::BY.into_iter().zip(expected.slopes);
+            let by = by.map(|(slot, slope)| slope * shifted[model.place(slot).unwrap()]);
+            let middle = model.observed.intervals.len() / 2;
+            let [unit] = model
+                .noise(middle, Lanes([point.scatter]), Lanes([point.timing]))
+                .0;
+            let mut in_units = shifted.clone();
+            in_units[place] = (shifted[place] - expected.logit - by.sum::<f64>()) / unit;
+            let same = counted.point(in_units.as_slice()).unwrap();
+            let e = |point: &Point| point.law.at(model.middle.speed_m_s);
+            assert!((e(&same) / e(&point) - 1.0).abs() < 1e-12);
+            assert!((same.fall_launch_m_s / point.fall_launch_m_s - 1.0).abs() < 1e-12);
+            let log = |model: &Model, vector: &DVector<f64>| {
+                let vector = DMatrix::from_column_slice(vector.len(), 1, vector.as_slice());
+                model.log_posteriors(&vector)[0].unwrap()
+            };
+            let gained = log(&counted, &in_units) - log(model, &shifted);
+            assert!((gained - unit.ln()).abs() < 1e-9, "{gained}");
         });
     }
 

@@ -91,6 +91,7 @@ pub(super) struct ExpectedRestitution {
 }
 
 impl ExpectedRestitution {
+    /// The unknowns that impacts hardly tell.
     pub(super) const BY: [Slot; 4] = [Slot::Drag, Slot::Gravity, Slot::Inputs, Slot::Contact];
 }
 
@@ -108,7 +109,7 @@ pub(super) struct ReferenceSpeed {
     pub(super) first_launch_m_s: f64,
     /// Robust standard deviation of ln e, if any impact shows one.
     pub(super) scatter: Option<f64>,
-    /// The same as a factor on the errors of the times, if all of it was theirs.
+    /// How many times larger than stated the errors of the times are, if they make all of it.
     pub(super) timing: Option<f64>,
 }
 
@@ -344,9 +345,9 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// The same with a coordinate of the restitution that counts from the one expected in units of the noise, if there is
-    /// one. Few impacts hardly tell the noise, and the restitution the less the larger it is, but in its units always as
-    /// well.
+    /// The same with a coordinate of the restitution that counts from the one expected, if it is given, in units of the noise.
+    /// Few impacts hardly tell the noise, and the restitution the less the larger it is; in units of it they tell it as well
+    /// for any.
     pub(super) fn with_expected_restitution(self, expected: Option<ExpectedRestitution>) -> Self {
         Self {
             expected_restitution: expected,
