@@ -29,7 +29,7 @@
 
 use std::collections::HashSet;
 use std::fs::{self, File};
-use std::io::{self, BufReader, Read, Write};
+use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -378,6 +378,37 @@ pub fn remove_drafts(folder: &Path) -> io::Result<()> {
         }
     }
     Ok(())
+}
+
+/// So much at each end of a file is searched.
+const ENDS: u64 = 4096;
+
+impl Mark {
+    /// Whether a file has it.
+    pub(crate) fn is_in(self, file: &File) -> io::Result<bool> {
+        if self == Self::NONE {
+            return Ok(false);
+        }
+        let length = file.metadata()?.len();
+        let beginning = part(file, 0)?;
+        let end = part(file, length.saturating_sub(ENDS))?;
+        Ok(beginning.starts_with(self.first.as_bytes())
+            && [beginning, end]
+                .iter()
+                .any(|part| holds(part, self.near_an_end.as_bytes())))
+    }
+}
+
+/// What stands in a file from a place on, 4 kB at most.
+fn part(mut file: &File, start: u64) -> io::Result<Vec<u8>> {
+    let mut part = Vec::new();
+    file.seek(SeekFrom::Start(start))?;
+    file.take(ENDS).read_to_end(&mut part)?;
+    Ok(part)
+}
+
+fn holds(part: &[u8], text: &[u8]) -> bool {
+    text.is_empty() || part.windows(text.len()).any(|window| window == text)
 }
 
 #[cfg(test)]

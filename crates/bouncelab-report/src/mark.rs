@@ -3,9 +3,6 @@
 //! Each kind of file has its mark where it is not seen, and at a place of its own, so that a text about bouncelab is
 //! not taken for one of its files.
 
-use std::fs::File;
-use std::io::{self, Read, Seek, SeekFrom};
-
 /// By what the files of one kind are known.
 ///
 /// ```
@@ -16,12 +13,9 @@ use std::io::{self, Read, Seek, SeekFrom};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Mark {
-    first: &'static str,
-    near_an_end: &'static str,
+    pub(crate) first: &'static str,
+    pub(crate) near_an_end: &'static str,
 }
-
-/// So much at each end of a file is searched.
-const ENDS: u64 = 4096;
 
 impl Mark {
     /// That of no file: none is replaced unasked.
@@ -48,32 +42,6 @@ impl Mark {
             ..self
         }
     }
-
-    /// Whether a file has it.
-    pub(crate) fn is_in(self, file: &File) -> io::Result<bool> {
-        if self == Self::NONE {
-            return Ok(false);
-        }
-        let length = file.metadata()?.len();
-        let beginning = part(file, 0)?;
-        let end = part(file, length.saturating_sub(ENDS))?;
-        Ok(beginning.starts_with(self.first.as_bytes())
-            && [beginning, end]
-                .iter()
-                .any(|part| holds(part, self.near_an_end.as_bytes())))
-    }
-}
-
-/// What stands in a file from a place on, 4 kB at most.
-fn part(mut file: &File, start: u64) -> io::Result<Vec<u8>> {
-    let mut part = Vec::new();
-    file.seek(SeekFrom::Start(start))?;
-    file.take(ENDS).read_to_end(&mut part)?;
-    Ok(part)
-}
-
-fn holds(part: &[u8], text: &[u8]) -> bool {
-    text.is_empty() || part.windows(text.len()).any(|window| window == text)
 }
 
 /// What most marks say.
