@@ -122,11 +122,13 @@ fn gravity_from_published_times() {
             "0",
             "--law",
             "constant",
+            // The uncertainty is 0.6: of the usual draws, the value scatters over seeds by nearly the bound.
+            "--draws",
+            "8000",
         ],
     );
     let g = number(&found["gravity_m_s2"]["value"]);
-    // The uncertainty is 0.6; over seeds, the value scatters by 0.006.
-    assert!((g / 9.82 - 1.0).abs() < 3e-3, "{g}");
+    assert!((g / 9.82 - 1.0).abs() < 1e-3, "{g}");
 }
 
 #[test]

@@ -472,9 +472,10 @@ impl SampledPosterior {
     fn count_restitution_in_noise(&self, candidate: &mut Candidate) {
         let model = self.model(candidate);
         let observed = model.observed;
-        let few = observed.restitutions() > 1 && observed.intervals.len() < MANY_FLIGHTS;
-        let expected = candidate.fit.expected_restitution(&model);
-        let Some((place, expected)) = expected.filter(|_| few) else {
+        if observed.restitutions() < 2 || observed.intervals.len() >= MANY_FLIGHTS {
+            return;
+        }
+        let Some((place, expected)) = candidate.fit.expected_restitution(&model) else {
             return;
         };
         let mut start = candidate.fit.vector.as_slice().to_vec();
