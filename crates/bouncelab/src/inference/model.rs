@@ -546,15 +546,33 @@ impl<'a> Model<'a> {
             .collect()
     }
 
-    /// Where a search may begin if another model of the same drop has been fitted: the nearer the fit, the
-    /// fewer steps.
+    /// Where a search may begin if another model of the same drop has been fitted, by what it makes of v*: the nearer the
+    /// fit, the fewer steps.
     pub(super) fn start_from(&self, fitted: &Self, fit: &[f64]) -> Vec<f64> {
-        let alike = |slot: &Slot| self.law == fitted.law || !matches!(slot, Slot::Shape(_));
-        let known = |slot: &Slot| fitted.place(*slot).filter(|_| alike(slot));
+        let same_law = self.law == fitted.law;
+        let point = fitted.point(fit).filter(|_| !same_law);
+        let log_slope = point.map(|point| point.law.log_slope(self.middle.speed_m_s));
+        let known = |slot: &Slot| match slot {
+            Slot::Shape(0) if !same_law => self.shape_of_log_slope(log_slope?),
+            Slot::Shape(_) if !same_law => None,
+            _ => fitted.place(*slot).map(|place| fit[place]),
+        };
         let usual = self.slots.iter().zip(self.start_with(0.0, 0.0));
         usual
-            .map(|(slot, usual)| known(slot).map_or(usual, |place| fit[place]))
+            .map(|(slot, usual)| known(slot).unwrap_or(usual))
             .collect()
+    }
+
+    /// The first number of the law besides e*, as a standard normal, with which it has a slope d ln e/d ln v at v*; `None`
+    /// where that takes more than this number.
+    fn shape_of_log_slope(&self, log_slope: f64) -> Option<f64> {
+        let fast = self.middle.fastest_m_s / self.middle.speed_m_s;
+        match self.law {
+            LawKind::Linear => Some(-log_slope * fast / SLOPE_SD),
+            LawKind::Power => Some(-log_slope / SLOPE_SD),
+            LawKind::Smooth => Some((log_slope / SMOOTH_SLOPE).asinh()),
+            LawKind::Constant | LawKind::Viscoelastic | LawKind::Knee => None,
+        }
     }
 
     /// Logarithm of the prior density of vectors whose falls have these d ln(height)/d ln(launch).

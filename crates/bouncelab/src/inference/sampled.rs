@@ -314,12 +314,7 @@ impl SampledPosterior {
         if self.numberings.len() == 1 {
             return;
         }
-        let laws = self.laws();
-        let law = if laws.contains(&LawKind::Power) {
-            LawKind::Power
-        } else {
-            laws[0]
-        };
+        let law = self.laws()[0];
         let evidences: Vec<f64> = (0..self.numberings.len())
             .map(|numbering| {
                 let mut fits = Vec::new();
@@ -336,9 +331,12 @@ impl SampledPosterior {
         });
     }
 
-    /// The laws to consider.
+    /// The laws to consider. The first stands for all where one must, and others are fitted from there: a power of the
+    /// speed is near most of them.
     pub(super) fn laws(&self) -> Vec<LawKind> {
-        self.priors.laws(self.observed().intervals.len())
+        let mut laws = self.priors.laws(self.observed().intervals.len());
+        laws.sort_by_key(|&law| law != LawKind::Power);
+        laws
     }
 
     /// Logarithm of the evidence of all models together, but for a constant of the times.
@@ -380,7 +378,7 @@ impl SampledPosterior {
         let mut best = f64::NEG_INFINITY;
         for missed_first in 0..=most {
             let model = self.model_of(law, media, missed_first, numbering);
-            let start = self.fitted_like(&model, numbering, candidates);
+            let start = self.fitted_like(&model, media, numbering, candidates);
             let least = highest_posterior(candidates, numbering) - 2.0 * PRUNE_BELOW;
             let fit = start.and_then(|start| fit::best_fit(&model, start, least));
             let Some(fit) = fit.or_else(|| fit::best_fit(&model, model.start(), least)) else {
@@ -410,23 +408,35 @@ impl SampledPosterior {
         }
     }
 
-    /// A start for a fit from the last fit of the same impacts, of the same law if there is one.
+    /// A start for a fit from those of the same impacts: that of the first law under this drag law, moved as far as this law
+    /// lay from it under the other.
     fn fitted_like(
         &self,
         model: &Model,
+        media: usize,
         numbering: usize,
         candidates: &[Candidate],
     ) -> Option<Vec<f64>> {
-        let fits = || {
-            candidates
-                .iter()
-                .rev()
-                .filter(|it| it.numbering == numbering && it.missed_first == model.missed_first)
+        let same = |it: &&Candidate| {
+            it.numbering == numbering && it.missed_first == model.missed_first
         };
-        let like = fits()
-            .find(|it| it.law == model.law)
-            .or_else(|| fits().next())?;
-        Some(model.start_from(&self.model(like), like.fit.vector.as_slice()))
+        let fits = || candidates.iter().filter(same);
+        let from = |it: &Candidate| model.start_from(&self.model(it), it.fit.vector.as_slice());
+        let of_law = fits().find(|it| it.law == model.law);
+        let Some(first) = fits().find(|it| it.media == media) else {
+            return of_law.map(from);
+        };
+        let mut start = from(first);
+        let first_of_other = |other: &&Candidate| {
+            fits().find(|it| it.law == first.law && it.media == other.media)
+        };
+        if let Some(of_law) = of_law && let Some(other) = first_of_other(&of_law) {
+            let moved = from(of_law).into_iter().zip(from(other));
+            for (start, (there, from)) in start.iter_mut().zip(moved) {
+                *start += there - from;
+            }
+        }
+        Some(start)
     }
 
     /// Logarithm of the prior probability of a candidate, but for a constant.
