@@ -43,7 +43,7 @@ impl Fit {
 /// Distance from the best fit, in standard deviations, from which the step that the expected curvature suggests leads so
 /// near to it that nothing there need be worked out. The sampling would mind less, but so the end hardly depends on the way
 /// there.
-const NEAR: f64 = 1e-2;
+const NEAR: f64 = 3e-2;
 
 const MOST_STEPS: usize = 40;
 

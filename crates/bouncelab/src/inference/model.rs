@@ -30,6 +30,9 @@ pub(super) const LEAST_KEPT: f64 = 0.1;
 /// Makes the logistic of a standard normal nearly uniform from 0 to 1.
 const KNEE_PLACE: f64 = 1.6;
 
+/// So many flights tell the noise to about a fifth; how well they tell the restitution then depends little on it.
+pub(super) const MANY_FLIGHTS: usize = 16;
+
 /// How far the errors of times may be off that nobody stated, as a factor.
 const UNSTATED_TIMING_SD: f64 = 1.0;
 
@@ -511,15 +514,25 @@ impl<'a> Model<'a> {
             .middle
             .timing
             .map_or(0.0, |timing| timing.ln().max(0.0) / self.timing_sd);
-        let starts = [(scatter, 0.0), (0.0, timing)]
-            .map(|(scatter, timing)| self.start_with(scatter, timing));
-        let tried = DMatrix::from_fn(starts[0].len(), 2, |place, start| starts[start][place]);
-        let [by_scatter, by_timing] = starts;
-        // One that makes no sense is less than any.
-        match self.log_posteriors(&tried)[..] {
-            [scatter, timing] if timing > scatter => by_timing,
-            _ => by_scatter,
+        let starts = [(scatter, 0.0), (0.0, timing)];
+        self.most_probable(
+            starts
+                .map(|(scatter, timing)| self.start_with(scatter, timing))
+                .into(),
+        )
+    }
+
+    /// The most probable of some vectors, the first of equals. One that makes no sense is less probable than any.
+    pub(super) fn most_probable(&self, mut vectors: Vec<Vec<f64>>) -> Vec<f64> {
+        if vectors.len() == 1 {
+            return vectors.remove(0);
         }
+        let tried = DMatrix::from_fn(self.slots.len(), vectors.len(), |place, number| {
+            vectors[number][place]
+        });
+        let logs = self.log_posteriors(&tried).into_iter().zip(vectors);
+        let best = logs.reduce(|best, other| if other.0 > best.0 { other } else { best });
+        best.map(|(_, vector)| vector).unwrap_or_default()
     }
 
     /// The same with these standard normals of the two.
@@ -555,6 +568,7 @@ impl<'a> Model<'a> {
         let known = |slot: &Slot| match slot {
             Slot::Shape(0) if !same_law => self.shape_of_log_slope(log_slope?),
             Slot::Shape(_) if !same_law => None,
+            Slot::Height if self.missed_first != fitted.missed_first => None,
             _ => fitted.place(*slot).map(|place| fit[place]),
         };
         let usual = self.slots.iter().zip(self.start_with(0.0, 0.0));
@@ -570,8 +584,11 @@ impl<'a> Model<'a> {
         match self.law {
             LawKind::Linear => Some(-log_slope * fast / SLOPE_SD),
             LawKind::Power => Some(-log_slope / SLOPE_SD),
-            LawKind::Smooth => Some((log_slope / SMOOTH_SLOPE).asinh()),
-            LawKind::Constant | LawKind::Viscoelastic | LawKind::Knee => None,
+            // Few impacts hardly tell a slope, and most of what is probable lies near none.
+            LawKind::Smooth if self.observed.intervals.len() >= MANY_FLIGHTS => {
+                Some((log_slope / SMOOTH_SLOPE).asinh())
+            }
+            _ => None,
         }
     }
 

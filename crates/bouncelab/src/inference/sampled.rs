@@ -7,7 +7,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::fit::{self, Fit};
 use super::likelihood::Innovation;
-use super::model::{ExpectedRestitution, Medium, Model, Point, ReferenceSpeed};
+use super::model::{ExpectedRestitution, MANY_FLIGHTS, Medium, Model, Point, ReferenceSpeed};
 use super::numbering;
 use super::observed::Observed;
 use super::order::order;
@@ -408,8 +408,8 @@ impl SampledPosterior {
         }
     }
 
-    /// A start for a fit from those of the same impacts: that of the first law under this drag law, moved as far as this law
-    /// lay from it under the other.
+    /// A start for a fit from those of the same impacts: that of the first law, moved as far as this law lay from it under the
+    /// other drag law. With more impacts missed than before all may differ, so the most probable of some.
     fn fitted_like(
         &self,
         model: &Model,
@@ -417,26 +417,40 @@ impl SampledPosterior {
         numbering: usize,
         candidates: &[Candidate],
     ) -> Option<Vec<f64>> {
-        let same = |it: &&Candidate| {
-            it.numbering == numbering && it.missed_first == model.missed_first
+        let fits = || candidates.iter().filter(|it| it.numbering == numbering);
+        let fit = |law: LawKind, media: usize, missed: usize| {
+            fits().find(|it| (it.law, it.media, it.missed_first) == (law, media, missed))
         };
-        let fits = || candidates.iter().filter(same);
         let from = |it: &Candidate| model.start_from(&self.model(it), it.fit.vector.as_slice());
-        let of_law = fits().find(|it| it.law == model.law);
-        let Some(first) = fits().find(|it| it.media == media) else {
-            return of_law.map(from);
+        let first = fits().next()?.law;
+        let first_here = fit(first, media, model.missed_first).map(from);
+        // As far from the first law here as another fit of this law from that of the first law beside it.
+        let moved = |other: &Candidate| {
+            let start = first_here.clone()?.into_iter();
+            let first_there = from(fit(first, other.media, other.missed_first)?);
+            let by = from(other).into_iter().zip(first_there);
+            Some(
+                start
+                    .zip(by)
+                    .map(|(start, (to, from))| start + (to - from))
+                    .collect(),
+            )
         };
-        let mut start = from(first);
-        let first_of_other = |other: &&Candidate| {
-            fits().find(|it| it.law == first.law && it.media == other.media)
-        };
-        if let Some(of_law) = of_law && let Some(other) = first_of_other(&of_law) {
-            let moved = from(of_law).into_iter().zip(from(other));
-            for (start, (there, from)) in start.iter_mut().zip(moved) {
-                *start += there - from;
-            }
+        let of_law = || fits().filter(|it| it.law == model.law);
+        if let Some(other) = of_law().find(|it| it.missed_first == model.missed_first) {
+            return Some(moved(other).unwrap_or_else(|| from(other)));
         }
-        Some(start)
+        let fewer_missed = of_law().last();
+        let starts = [
+            first_here.clone(),
+            fewer_missed.and_then(moved),
+            fewer_missed.map(from),
+        ];
+        let mut starts: Vec<Vec<f64>> = starts.into_iter().flatten().collect();
+        if first_here.is_none() {
+            starts.push(model.start());
+        }
+        Some(model.most_probable(starts))
     }
 
     /// Logarithm of the prior probability of a candidate, but for a constant.
@@ -687,9 +701,6 @@ fn best_evidence<'a>(candidates: impl IntoIterator<Item = &'a Candidate>) -> f64
         .map(|candidate| candidate.log_evidence);
     evidences.fold(f64::NEG_INFINITY, f64::max)
 }
-
-/// So many flights tell the noise to about a fifth; how well they tell the restitution then depends little on it.
-const MANY_FLIGHTS: usize = 16;
 
 /// How many missed impacts before the first one heard are to be considered: those that may explain the times under another
 /// drag law, if one has been fitted.
