@@ -490,7 +490,7 @@ impl<'a> FlightTable<'a> {
 }
 
 /// Steps square the relative error, so after one this small nothing is left to gain.
-const SMALL_STEP: f64 = 1e-6;
+const SMALL_STEP: f64 = 1e-4;
 pub(crate) const MAX_STEPS: usize = 30;
 /// Near the terminal speed the impact speed hardly answers to the launch speed.
 pub(crate) const LEAST_SLOPE: f64 = 1e-3;

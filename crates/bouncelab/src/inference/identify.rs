@@ -3,6 +3,7 @@
 use super::model::Slot;
 use super::priors::LawKind;
 use super::sampled::SampledPosterior;
+use crate::simd::sum_of_products;
 use crate::stats::{mean, sd};
 
 /// Something that was not known before the data.
@@ -105,19 +106,15 @@ pub struct Correlations {
 
 /// Correlations of columns of equal length; those that do not vary are left out.
 pub(super) fn correlations(columns: Vec<(&'static str, Vec<f64>)>) -> Correlations {
-    let columns: Vec<_> = columns
-        .into_iter()
-        .filter(|(_, values)| sd(values) > 1e-12 * mean(values).abs().max(1e-12))
-        .collect();
-    let correlation = |a: &[f64], b: &[f64]| {
-        let (mean_a, mean_b) = (mean(a), mean(b));
-        let products: Vec<f64> = a
-            .iter()
-            .zip(b)
-            .map(|(x, y)| (x - mean_a) * (y - mean_b))
-            .collect();
-        mean(&products) / (sd(a) * sd(b))
-    };
+    let standardised = columns.into_iter().filter_map(|(name, mut values)| {
+        let (mean, sd) = (mean(&values), sd(&values));
+        for value in &mut values {
+            *value = (*value - mean) / sd;
+        }
+        (sd > 1e-12 * mean.abs().max(1e-12)).then_some((name, values))
+    });
+    let columns: Vec<_> = standardised.collect();
+    let correlation = |a: &[f64], b: &[f64]| sum_of_products::<8, _>(a, b) / a.len() as f64;
     Correlations {
         quantities: columns.iter().map(|(name, _)| *name).collect(),
         matrix: columns

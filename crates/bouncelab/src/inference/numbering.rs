@@ -78,14 +78,18 @@ fn follow(durations_s: &[f64], first: usize, ratio: f64) -> Numbering {
             let price = (0.5 * sds * sds).min(ODD_COST) + missed_cost(count);
             (count, off, price)
         };
-        let others = (2..=MOST_MISSED + 1).map(priced);
-        let (count, off, price) =
-            others.fold(
-                priced(1),
-                |best, other| {
-                    if other.2 < best.2 { other } else { best }
-                },
-            );
+        let mut best = priced(1);
+        for count in 2..=MOST_MISSED + 1 {
+            // More missed impacts are less likely still, whatever they explain.
+            if missed_cost(count) >= best.2 {
+                break;
+            }
+            let other = priced(count);
+            if other.2 < best.2 {
+                best = other;
+            }
+        }
+        let (count, off, price) = best;
         cost += price;
         if off.abs() < 3.0 * SPREAD {
             ratio = (ratio * (off / (MEMORY * count as f64)).exp()).min(0.999);

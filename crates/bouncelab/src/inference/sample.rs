@@ -8,9 +8,9 @@
 //! Pareto distribution that their tail follows, whose shape k tells whether the weights can be
 //! trusted at all (A. Vehtari et al., Pareto smoothed importance sampling, JMLR 25, 2024).
 
+use std::array;
 use std::f64::consts::SQRT_2;
 use std::ops::Add;
-use std::{array, iter};
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 use rand::RngExt;
@@ -86,19 +86,16 @@ impl Proposal {
         let dimensions = self.centre.len();
         let mut densities = Vec::with_capacity(draws.ncols());
         for first in (0..draws.ncols()).step_by(LANES) {
-            let mut points = array::from_fn::<_, LANES, _>(|lane| {
-                let number = (from + first + lane) as u32;
-                Point { number, seed }.coordinates()
-            });
-            let mut coordinate = || Lanes::of(|lane| points[lane].next().unwrap_or(0.5));
-            let uniform: Vec<Lanes<LANES>> = iter::repeat_with(&mut coordinate)
-                .take(dimensions)
-                .collect();
-            let product =
-                (0..EXPONENTIALS).fold(Lanes::all(1.0), |product, _| product * coordinate());
+            let numbers = array::from_fn(|lane| (from + first + lane) as u32);
             let (drawn, density) = dispatch(
                 #[inline(always)]
-                || self.transformed(uniform, product),
+                || {
+                    self.transformed(coordinates::<LANES>(
+                        numbers,
+                        seed,
+                        dimensions + EXPONENTIALS,
+                    ))
+                },
             );
             let used = LANES.min(draws.ncols() - first);
             for (unknown, drawn) in drawn.iter().enumerate() {
@@ -111,16 +108,16 @@ impl Proposal {
         densities
     }
 
-    /// The draws that uniform numbers stand for, of which as many as there are exponentials are multiplied; and the logarithms
-    /// of their densities.
+    /// The draws that uniform numbers stand for, of which the last few, as many as there are exponentials, are multiplied;
+    /// and the logarithms of their densities.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
-    fn transformed<const L: usize>(
-        &self,
-        uniform: Vec<Lanes<L>>,
-        product: Lanes<L>,
-    ) -> (Vec<Lanes<L>>, Lanes<L>) {
+    fn transformed<const L: usize>(&self, uniform: Vec<Lanes<L>>) -> (Vec<Lanes<L>>, Lanes<L>) {
         let dimensions = self.centre.len();
-        let normal: Vec<Lanes<L>> = uniform.into_iter().map(normal_quantile).collect();
+        let (uniform, exponential) = uniform.split_at(dimensions);
+        let normal: Vec<Lanes<L>> = uniform.iter().copied().map(normal_quantile).collect();
+        let product = exponential
+            .iter()
+            .fold(Lanes::all(1.0), |product, &it| product * it);
         let chi_squared = product.ln() * -2.0;
         let stretch = (Lanes::all(FREEDOM) / chi_squared).sqrt();
         let drawn = (0..dimensions).map(|row| {
@@ -147,30 +144,33 @@ impl Proposal {
     }
 }
 
-/// A point of a scrambled Sobol sequence.
-struct Point {
-    number: u32,
-    seed: u32,
-}
-
-impl Point {
-    /// The coordinates of the point, above 0 and below 1, 256 of them.
-    fn coordinates(&self) -> impl Iterator<Item = f64> + use<> {
-        /// As many points as a sequence has; those beyond belong to another.
-        const LENGTH: u32 = 1 << 16;
-        /// Half of the last digit: the sequence has zero, but not one.
-        const HALF: f64 = 1.0 / (1 << 25) as f64;
-        let seed = self.seed.wrapping_add(self.number / LENGTH);
-        let number = self.number % LENGTH;
-        let sets = (0..NUM_DIMENSION_SETS_4D).flat_map(move |set| sample_4d(number, set, seed));
-        sets.map(|coordinate| f64::from(coordinate) + HALF)
+/// So many coordinates of points of a scrambled Sobol sequence, by their numbers, each above 0 and below 1.
+#[cfg_attr(not(target_family = "wasm"), inline(always))]
+fn coordinates<const L: usize>(numbers: [u32; L], seed: u32, dimensions: usize) -> Vec<Lanes<L>> {
+    /// As many points as a sequence has; those beyond belong to another.
+    const LENGTH: u32 = 1 << 16;
+    /// Half of the last digit: the sequence has zero, but not one.
+    const HALF: f64 = 1.0 / (1 << 25) as f64;
+    let mut coordinates = vec![Lanes::all(0.5); dimensions.next_multiple_of(4)];
+    let sets = coordinates
+        .chunks_exact_mut(4)
+        .zip(0..NUM_DIMENSION_SETS_4D);
+    for (four, set) in sets {
+        for (lane, number) in numbers.iter().enumerate() {
+            let seed = seed.wrapping_add(number / LENGTH);
+            let of_point = sample_4d(number % LENGTH, set, seed);
+            for (coordinate, of_point) in four.iter_mut().zip(of_point) {
+                coordinate.0[lane] = f64::from(of_point) + HALF;
+            }
+        }
     }
+    coordinates.truncate(dimensions);
+    coordinates
 }
 
 /// One of a sequence of numbers that are normal together, evenly so over any part of it.
 pub(super) fn standard_normal(number: u32) -> f64 {
-    let coordinate = Point { number, seed: 0 }.coordinates().next();
-    normal_quantile(Lanes([coordinate.unwrap_or(0.5)])).0[0]
+    normal_quantile(coordinates([number], 0, 1)[0]).0[0]
 }
 
 /// The number below which a standard normal is with a probability from 2^-25 to 1 - 2^-25, to 1e-6: 2^1/2 times the
