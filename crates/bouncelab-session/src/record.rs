@@ -135,6 +135,8 @@ impl Record {
         if let Some(inference) = &mut options.inference {
             // Equal seeds would give the errors of sampling of all drops the same sign.
             inference.sampler.seed ^= content.number();
+            // Drops are compared by their restitution and height.
+            inference.each_impact = false;
         }
         // A fault of the program in one recording must not end the work on others.
         let analysed = catch_unwind(AssertUnwindSafe(|| analyze(open()?, &options)));
@@ -175,7 +177,7 @@ impl From<&Recording> for Record {
 impl From<&Drop> for DropRecord {
     fn from(drop: &Drop) -> Self {
         let posterior = drop.posterior.as_ref();
-        let weight = |number: usize| Some(posterior.ok()?.impact(number)?.weight);
+        let weight = |number: usize| posterior.ok()?.weight(number);
         let impacts = drop.impacts.iter().map(|&impact| ImpactRecord {
             impact,
             restitution: drop.impact_restitution(impact.number).copied(),

@@ -375,6 +375,57 @@ fn gravity_from_three_times_and_a_height() {
     assert!(constant.sd > 0.05 && any.sd > 0.05);
 }
 
+/// What each impact did is an answer of its own: without it all others are the same to the last digit, and so are the
+/// weights of the impacts.
+#[test]
+fn other_answers_do_not_depend_on_each_impact() {
+    let truth = Truth::new();
+    let impacts = truth.impacts(1);
+    let found = |each_impact: bool| {
+        let options = Options::default();
+        let asked = InferenceOptions {
+            each_impact,
+            ..InferenceOptions::default()
+        };
+        let ball = &options.ball;
+        infer(
+            &impacts,
+            ball,
+            &truth.environment,
+            0.0,
+            &options.priors,
+            &asked,
+        )
+        .unwrap()
+    };
+    let (with, without) = (found(true), found(false));
+    assert!(with.impacts.len() == impacts.len() && without.impacts.is_empty());
+    assert!(with.total_time_s.is_some() && without.total_time_s.is_none());
+    let codes = |it: &Posterior| it.diagnostics.iter().map(|it| it.code).collect::<Vec<_>>();
+    assert_eq!(codes(&with), codes(&without));
+    for impact in &with.impacts {
+        assert_eq!(without.weight(impact.number), Some(impact.weight));
+    }
+    assert_eq!(without.weight(impacts.len() + 1), None);
+    let others = |it: &Posterior| {
+        let estimates = [
+            it.restitution,
+            it.restitution_slope,
+            it.drop_height_m,
+            it.gravity_m_s2,
+        ];
+        let tables = (
+            &it.models,
+            &it.budget,
+            &it.correlations,
+            &it.band,
+            it.sampling,
+        );
+        format!("{estimates:?} {tables:?} {:?}", it.fitted_speeds_m_s)
+    };
+    assert_eq!(others(&with), others(&without));
+}
+
 /// Time and path until rest against a simulated drop with the same numbers, and the height from
 /// which bounce 2 reaches 28 cm against a simulation from that height.
 #[test]

@@ -5,7 +5,7 @@ use symphonia::core::codecs::audio::well_known::{
     CODEC_ID_AAC, CODEC_ID_AC3, CODEC_ID_ADPCM_IMA_QT, CODEC_ID_ADPCM_IMA_WAV, CODEC_ID_ADPCM_MS,
     CODEC_ID_ALAC, CODEC_ID_EAC3, CODEC_ID_FLAC, CODEC_ID_MP3, CODEC_ID_OPUS, CODEC_ID_PCM_ALAW,
     CODEC_ID_PCM_F32BE, CODEC_ID_PCM_F32LE, CODEC_ID_PCM_F64BE, CODEC_ID_PCM_F64LE,
-    CODEC_ID_PCM_MULAW, CODEC_ID_PCM_S32LE, CODEC_ID_VORBIS,
+    CODEC_ID_PCM_MULAW, CODEC_ID_PCM_S16LE, CODEC_ID_PCM_S32LE, CODEC_ID_VORBIS,
 };
 use symphonia::core::codecs::audio::{
     AudioCodecId, AudioCodecParameters, AudioDecoder, AudioDecoderOptions, CODEC_ID_NULL_AUDIO,
@@ -27,6 +27,8 @@ pub(super) enum Decoder {
     Symphonia(Box<dyn AudioDecoder>, AudioCodecId),
     Alac(Alac),
     Opus(Box<opus::Decoder>),
+    /// 16-bit samples, the low byte first: what most recorders write, several times as fast as one by one.
+    Pcm16(Layout),
 }
 
 /// Rate and channels of decoded sound.
@@ -65,7 +67,10 @@ impl Decoder {
             .verify(params.codec == CODEC_ID_FLAC);
         match codecs.make_audio_decoder(params, &options) {
             Ok(decoder) if params.codec == CODEC_ID_ALAC => Ok(Self::Alac(Alac::new(decoder))),
-            Ok(decoder) => Ok(Self::Symphonia(decoder, params.codec)),
+            Ok(decoder) => Ok(match pcm16(params) {
+                Some(layout) => Self::Pcm16(layout),
+                None => Self::Symphonia(decoder, params.codec),
+            }),
             Err(SymphoniaError::Unsupported(why)) => {
                 Err(Refusal::Codec(format!("{} ({why})", name(params.codec))))
             }
@@ -83,6 +88,10 @@ impl Decoder {
         match self {
             Self::Symphonia(decoder, _) => decode(decoder.as_mut(), packet, planes),
             Self::Alac(decoder) => decoder.decode(packet, planes),
+            Self::Pcm16(layout) => {
+                decode_pcm16(&packet.data, layout.channels, planes);
+                Ok(*layout)
+            }
             Self::Opus(decoder) => {
                 decoder.decode(&packet.data, planes)?;
                 let frames = planes.first().map_or(0, Vec::len);
@@ -117,7 +126,7 @@ impl Decoder {
                 matches!(*codec, CODEC_ID_AAC | CODEC_ID_MP3 | CODEC_ID_VORBIS)
             }
             Self::Opus(_) => true,
-            Self::Alac(_) => false,
+            Self::Alac(_) | Self::Pcm16(_) => false,
         };
         let begins_silent = || planes.iter().all(|plane| plane.first() == Some(&0.0));
         has_memory && (warm_ups == 0 || warm_ups < MOST && begins_silent())
@@ -127,7 +136,7 @@ impl Decoder {
     pub(super) fn is_altered(&mut self) -> bool {
         match self {
             Self::Symphonia(decoder, _) => decoder.finalize().verify_ok == Some(false),
-            Self::Opus(_) | Self::Alac(_) => false,
+            Self::Opus(_) | Self::Alac(_) | Self::Pcm16(_) => false,
         }
     }
 }
@@ -145,6 +154,35 @@ pub(super) fn decode(
         sample_rate_hz: spec.rate(),
         channels: spec.channels().count(),
     })
+}
+
+/// The layout of 16-bit samples all of whose bits count, the low byte first; `None` of others.
+fn pcm16(params: &AudioCodecParameters) -> Option<Layout> {
+    let all_count = |bits: Option<u32>| bits.is_none_or(|bits| bits == 16);
+    let is_whole = all_count(params.bits_per_sample) && all_count(params.bits_per_coded_sample);
+    if params.codec != CODEC_ID_PCM_S16LE || !is_whole {
+        return None;
+    }
+    Some(Layout {
+        sample_rate_hz: params.sample_rate?,
+        channels: params.channels.as_ref()?.count(),
+    })
+}
+
+/// Turns interleaved 16-bit samples into one plane for each channel; what is left of a frame at the end counts for nothing.
+fn decode_pcm16(data: &[u8], channels: usize, planes: &mut Vec<Vec<f32>>) {
+    let value = |bytes: &[u8; 2]| f32::from(i16::from_le_bytes(*bytes)) / 32_768.0;
+    let (samples, _) = data.as_chunks::<2>();
+    planes.resize_with(channels, Vec::new);
+    planes.iter_mut().for_each(Vec::clear);
+    if let [plane] = &mut planes[..] {
+        plane.extend(samples.iter().map(value));
+        return;
+    }
+    for (channel, plane) in planes.iter_mut().enumerate() {
+        let frames = samples.chunks_exact(channels);
+        plane.extend(frames.map(|frame| value(&frame[channel])));
+    }
 }
 
 /// Refuses headers that would make a decoder claim absurd amounts of memory.
@@ -211,5 +249,23 @@ pub(super) fn name(codec: AudioCodecId) -> &'static str {
         id if (CODEC_ID_PCM_S32LE..CODEC_ID_PCM_F32LE).contains(&id) => "PCM",
         CODEC_ID_NULL_AUDIO => "an unknown codec",
         _ => "another codec",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Full scale is one, and half a frame at the end is left out, whatever the planes held before.
+    #[test]
+    fn samples_of_16_bits_are_shares_of_full_scale() {
+        let samples: [i16; 5] = [0, i16::MIN, i16::MAX, 16_384, -1];
+        let bytes: Vec<u8> = samples.iter().flat_map(|it| it.to_le_bytes()).collect();
+        let shares = samples.map(|it| f32::from(it) / 32_768.0);
+        let mut planes = vec![vec![7.0]; 3];
+        decode_pcm16(&bytes[..9], 1, &mut planes);
+        assert_eq!(planes, [&shares[..4]]);
+        decode_pcm16(&bytes, 2, &mut planes);
+        assert_eq!(planes, [[0.0, shares[2]], [-1.0, 0.5]]);
     }
 }

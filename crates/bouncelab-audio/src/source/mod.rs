@@ -495,20 +495,23 @@ impl Source {
 
     /// Replaces what is not a number.
     fn scrub(&mut self) {
+        // A damaged number may be anything; no other sound is ten million times full scale.
+        let is_odd = |sample: &f32| sample.is_nan() || sample.abs() >= 1e7;
+        // Nearly always there is none, which is soon seen of many at once.
+        let any_odd = |plane: &Vec<f32>| plane.iter().fold(false, |any, it| any | is_odd(it));
+        if !self.planes.iter().any(any_odd) {
+            return;
+        }
         let mut count = 0;
         let mut first = usize::MAX;
         for plane in &mut self.planes {
             for (place, sample) in plane.iter_mut().enumerate() {
-                // A damaged number may be anything; no other sound is ten million times full scale.
-                if sample.is_nan() || sample.abs() >= 1e7 {
+                if is_odd(sample) {
                     *sample = 0.0;
                     count += 1;
                     first = first.min(place);
                 }
             }
-        }
-        if count == 0 {
-            return;
         }
         let noted = self.warnings.iter_mut().find_map(|warning| match warning {
             Warning::NonFinite { samples, .. } => Some(samples),

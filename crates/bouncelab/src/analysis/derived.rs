@@ -198,6 +198,7 @@ fn options_of_truncation(options: &Options, last_flight: usize) -> Options {
         flights: Some(1..=last_flight),
         inference: Some(InferenceOptions {
             sampler: SAMPLER,
+            each_impact: false,
             ..InferenceOptions::default()
         }),
         ..options.clone()

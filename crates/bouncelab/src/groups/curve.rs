@@ -75,14 +75,7 @@ impl RestitutionCurve {
 impl From<&Posterior> for RestitutionCurve {
     /// Restitution at the [speeds](Self::speeds) within those of the impacts.
     fn from(posterior: &Posterior) -> Self {
-        let speeds = posterior
-            .impacts
-            .iter()
-            .filter(|impact| impact.restitution.is_some())
-            .map(|impact| impact.impact_speed_m_s.value);
-        let (slowest, fastest) = speeds.fold((f64::INFINITY, 0.0), |(slowest, fastest), speed| {
-            (speed.min(slowest), speed.max(fastest))
-        });
+        let [slowest, fastest] = posterior.fitted_speeds_m_s;
         let speeds = Self::speeds(slowest, fastest);
         let shared = posterior.shared_sd(&speeds).unwrap_or_default();
         let known = posterior.restitution_at_each(&speeds).into_iter();

@@ -8,6 +8,7 @@ use super::priors::Measured;
 use super::sampled::{DrawnDrop, SampledPosterior, THINNED};
 use super::smoothing::DropState;
 use super::{ApexTarget, InferenceOptions, Prediction, budget, findings, identify, predict};
+use crate::diagnostic::{Code, Diagnostic};
 use crate::drag::DragLaw;
 use crate::error::Result;
 use crate::estimate::Estimate;
@@ -71,7 +72,11 @@ impl Answers {
         let rms_s = (squares / sigma_s.len() as f64).sqrt();
         let contact_time_s = self.of_points(|point| point.contact_time_s);
         let prior_contraction = identify::prior_contraction(&posterior);
-        let drops = posterior.drops(&self.points);
+        let drops = if inference.each_impact {
+            posterior.drops(&self.points)
+        } else {
+            Vec::new()
+        };
         let rest: Vec<Rest> = drops.iter().filter_map(|drop| drop.rest).collect();
         let rests = rest.len() as f64 >= MOSTLY * drops.len() as f64 && !rest.is_empty();
         let rest = if rests { rest } else { Vec::new() };
@@ -79,8 +84,10 @@ impl Answers {
         let drag = self.drag(&posterior, &drag_coefficient);
         let gravity_m_s2 = of(&self.environment_gravity(&posterior))?;
         let restitution_scatter = of(&self.of_points(|point| point.scatter))?;
-        let mut diagnostics =
-            findings::diagnostics(&posterior, &innovations, &prior_contraction, rests);
+        let mut diagnostics = findings::diagnostics(&posterior, &innovations, &prior_contraction);
+        if inference.each_impact && !rests {
+            diagnostics.push(Diagnostic::new(Code::NeverRests));
+        }
         diagnostics.extend(findings::scattered(&posterior, restitution_scatter.value));
         let mut inferred = Posterior {
             at_speed_m_s: self.at_speed_m_s,
@@ -111,7 +118,13 @@ impl Answers {
                 ("gravity", self.of_points(|point| point.gravity_m_s2)),
                 ("contact-time", contact_time_s),
             ]),
-            budget: budget::budget(&posterior, &drops, self.at_speed_m_s).unwrap_or_default(),
+            budget: budget::budget(
+                &posterior,
+                self.at_speed_m_s,
+                &self.restitution,
+                &self.drop_height_m,
+            )
+            .unwrap_or_default(),
             sampling: Sampling {
                 effective_draws: posterior.effective_draws(),
                 pareto_shape: posterior.pareto_shape(),
@@ -126,6 +139,10 @@ impl Answers {
                 drop_height_m: self.drop_height_m,
                 total_time_s: rest.iter().map(|rest| rest.time_s).collect(),
             },
+            fitted_speeds_m_s: posterior
+                .fitted_speeds_m_s()
+                .unwrap_or([posterior.middle.slowest_m_s, posterior.middle.fastest_m_s]),
+            innovations,
             sampled: posterior,
         };
         inferred.band = inferred.compute_band();
@@ -283,6 +300,11 @@ fn terminal_speed(model: &FlightModel, drag_strength: f64) -> Option<f64> {
     Some(speed)
 }
 
+/// What an impact adds, by its place among those detected.
+pub(super) fn innovation_of(innovations: &[Innovation], place: usize) -> Option<&Innovation> {
+    innovations.iter().rfind(|it| it.impact == place)
+}
+
 /// The impacts detected, with what each did to the speed and the energy of the ball.
 fn detected(
     posterior: &SampledPosterior,
@@ -299,7 +321,7 @@ fn detected(
         .filter_map(|(place, impact)| {
             let launches = intervals.get(place).is_some();
             let single = intervals.get(place).is_some_and(|s| s.flights == 1);
-            let innovation = innovations.iter().rfind(|i| i.impact == place && launches);
+            let innovation = innovation_of(innovations, place).filter(|_| launches);
             let energy =
                 |faster: f64, slower: f64| 0.5 * mass_kg * (faster * faster - slower * slower);
             let when = |possible: bool, value: &dyn Fn(&DropState) -> f64| {

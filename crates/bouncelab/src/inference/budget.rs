@@ -10,7 +10,7 @@ use super::banded::Banded;
 use super::likelihood::Differences;
 use super::model::{Model, Slot};
 use super::residual::Noise;
-use super::sampled::{DrawnDrop, SampledPosterior};
+use super::sampled::{Candidate, SampledPosterior};
 use crate::simd::Lanes;
 use crate::stats::sort_by_number;
 
@@ -41,20 +41,22 @@ pub struct Budget {
 }
 
 /// The budget at the best fit of the best model; what differs between models and between numbers of
-/// missed impacts comes from all of them. `None` if the fit is too odd to be taken apart.
+/// missed impacts comes from all of them, by the restitution and the height of each draw. `None` if the fit is too odd
+/// to be taken apart.
 pub(super) fn budget(
     posterior: &SampledPosterior,
-    drops: &[DrawnDrop],
     at_speed_m_s: f64,
+    restitution: &[f64],
+    drop_height_m: &[f64],
 ) -> Option<Budget> {
     let candidate = posterior.candidates.first()?;
     let model = posterior.model(candidate);
     let vector = candidate.fit.vector.as_slice();
     let linear = Linear::new(&model, vector)?;
+    let [between_laws, between_missed] = between(posterior, [restitution, drop_height_m]);
     let restitution =
         |model: &Model, vector: &[f64]| Some(model.point(vector)?.law.at(at_speed_m_s));
     let height = |model: &Model, vector: &[f64]| model.drop_height_m(&model.point(vector)?);
-    let [between_laws, between_missed] = between(posterior, drops, at_speed_m_s);
     let mut of_restitution = linear.sources(&gradient(&model, vector, restitution)?, &model);
     of_restitution.push(("choice-of-law", between_laws[0]));
     of_restitution.push(("number-of-impacts", between_missed[0]));
@@ -190,34 +192,19 @@ fn gradient(
     Some(gradient)
 }
 
-/// Variance of the means of restitution and height between laws, and between numbers of missed
-/// impacts.
-fn between(posterior: &SampledPosterior, drops: &[DrawnDrop], at_speed_m_s: f64) -> [[f64; 2]; 2] {
-    let keys: Vec<(usize, usize)> = posterior
-        .candidates
-        .iter()
-        .map(|candidate| {
-            let law = candidate.law as usize * posterior.media.len() + candidate.media;
-            let numberings = posterior.numberings.len();
-            (
-                law,
-                candidate.missed_first * numberings + candidate.numbering,
-            )
-        })
-        .collect();
-    if drops.is_empty() {
-        return [[0.0; 2]; 2];
-    }
-    let values = drops
-        .iter()
-        .map(|drop| [drop.law.at(at_speed_m_s), drop.state.drop_height_m]);
-    let variance = |key: &dyn Fn(&(usize, usize)) -> usize, quantity: usize| {
-        let groups = drops.iter().map(|drop| key(&keys[drop.candidate]));
-        variance_of_means(groups.zip(values.clone().map(|value| value[quantity])))
+/// Variance of the means of quantities of each draw between laws, and between numbers of missed impacts.
+fn between(posterior: &SampledPosterior, quantities: [&[f64]; 2]) -> [[f64; 2]; 2] {
+    let law = |it: &Candidate| it.law as usize * posterior.media.len() + it.media;
+    let missed = |it: &Candidate| it.missed_first * posterior.numberings.len() + it.numbering;
+    let variance = |key: &dyn Fn(&Candidate) -> usize, values: &[f64]| {
+        let of_draw = posterior.draws.iter().zip(values);
+        variance_of_means(
+            of_draw.map(|(draw, &value)| (key(&posterior.candidates[draw.candidate]), value)),
+        )
     };
     [
-        [0, 1].map(|quantity| variance(&|&(law, _)| law, quantity)),
-        [0, 1].map(|quantity| variance(&|&(_, missed)| missed, quantity)),
+        quantities.map(|values| variance(&law, values)),
+        quantities.map(|values| variance(&missed, values)),
     ]
 }
 

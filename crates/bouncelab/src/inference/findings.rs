@@ -23,7 +23,6 @@ pub(super) fn diagnostics(
     posterior: &SampledPosterior,
     innovations: &[Innovation],
     prior_contraction: &[PriorContraction],
-    rests: bool,
 ) -> Vec<Diagnostic> {
     let mut diagnostics = Vec::new();
     if !posterior.converged() {
@@ -81,9 +80,6 @@ pub(super) fn diagnostics(
     }
     if law_weight(posterior) < 0.9 {
         diagnostics.push(Diagnostic::new(Code::NoLawWins));
-    }
-    if !rests {
-        diagnostics.push(Diagnostic::new(Code::NeverRests));
     }
     diagnostics
 }

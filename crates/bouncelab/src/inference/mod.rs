@@ -82,7 +82,7 @@ use answers::Answers;
 use sampled::SampledPosterior;
 
 /// What to ask of the posterior.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct InferenceOptions {
@@ -93,6 +93,29 @@ pub struct InferenceOptions {
     pub reach: Vec<ApexTarget>,
     /// How much to compute.
     pub sampler: SamplerConfig,
+    /// Whether to say what each impact and flight did, and how long the ball bounces until it rests. A drop that is only
+    /// compared with others needs neither, and its inference takes a third less time: [`Posterior::impacts`] is empty then,
+    /// and time and path until rest are unknown.
+    #[cfg_attr(feature = "serde", serde(skip, default = "each_impact"))]
+    #[cfg_attr(feature = "typescript", ts(skip))]
+    pub each_impact: bool,
+}
+
+impl Default for InferenceOptions {
+    fn default() -> Self {
+        Self {
+            at_speed_m_s: None,
+            reach: Vec::new(),
+            sampler: SamplerConfig::default(),
+            each_impact: true,
+        }
+    }
+}
+
+/// What options that come as text ask for.
+#[cfg(feature = "serde")]
+fn each_impact() -> bool {
+    InferenceOptions::default().each_impact
 }
 
 /// A bounce and the apex that it is to reach.

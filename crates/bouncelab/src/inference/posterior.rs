@@ -1,9 +1,11 @@
 //! The posterior as a result: estimates and their diagnostics.
 
 use super::Prediction;
+use super::answers;
 use super::budget::{self, Budget};
 use super::findings::ODD_WEIGHT;
 use super::identify::{Correlations, PriorContraction};
+use super::likelihood::Innovation;
 use super::predict;
 use super::priors::{LawKind, Measured};
 use super::sampled::{SampledPosterior, THINNED};
@@ -78,6 +80,11 @@ pub struct Posterior {
     /// What to know before believing it; among the diagnostics of the drop too.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub diagnostics: Vec<Diagnostic>,
+    /// The slowest and the fastest of the impacts that the ball left again, at the best fit, m/s.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub fitted_speeds_m_s: [f64; 2],
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub(super) innovations: Vec<Innovation>,
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) sampled: SampledPosterior,
 }
@@ -187,6 +194,16 @@ impl Posterior {
         self.impacts.iter().find(|impact| impact.number == number)
     }
 
+    /// The weight of an impact in the fit, as [`ImpactPosterior::weight`], whether or not each impact was asked for; `None`
+    /// if none of this number was detected.
+    pub fn weight(&self, number: usize) -> Option<f64> {
+        let observed = self.sampled.observed();
+        let place = observed.impacts.iter().position(|it| it.number == number)?;
+        let launches = place < observed.intervals.len();
+        let innovation = answers::innovation_of(&self.innovations, place).filter(|_| launches);
+        Some(innovation.map_or(1.0, |it| it.weight))
+    }
+
     /// The restitution law at a speed, m/s.
     ///
     /// ```
@@ -239,11 +256,7 @@ impl Posterior {
         const POINTS: usize = 40;
         let points = POINTS;
         let middle = &self.sampled.middle;
-        let fastest = self
-            .impacts
-            .iter()
-            .map(|impact| impact.impact_speed_m_s.value)
-            .fold(middle.fastest_m_s, f64::max);
+        let fastest = middle.fastest_m_s.max(self.fitted_speeds_m_s[1]);
         let (from, to) = (0.9 * middle.slowest_m_s, 1.05 * fastest);
         let speeds: Vec<f64> = (0..points)
             .map(|point| from + (to - from) * point as f64 / (points.max(2) - 1) as f64)

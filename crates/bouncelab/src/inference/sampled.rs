@@ -601,6 +601,19 @@ impl SampledPosterior {
         details.map_or_else(Vec::new, |details| details.innovations)
     }
 
+    /// The slowest and the fastest of the impacts that the ball left again, at the best fit of the best candidate, m/s.
+    pub(super) fn fitted_speeds_m_s(&self) -> Option<[f64; 2]> {
+        let candidate = &self.candidates[0];
+        let model = self.model(candidate);
+        let point = model.point(candidate.fit.vector.as_slice())?;
+        let ends = model.evaluate(&[point])?.ends;
+        let (_, left) = ends.split_last()?;
+        let speeds = left.iter().map(|end| end.log_impact.0[0].exp());
+        let widest =
+            |[slowest, fastest]: [f64; 2], speed: f64| [slowest.min(speed), fastest.max(speed)];
+        Some(speeds.fold([f64::INFINITY, 0.0], widest))
+    }
+
     /// The drops that every so many of the draws say the times tell, by the points that all draws stand for; none
     /// if one of them makes no sense.
     pub(super) fn drops(&self, points: &[Point]) -> Vec<DrawnDrop> {
@@ -623,13 +636,12 @@ impl SampledPosterior {
             let on_the_way = points.iter().zip(&states).zip(futures);
             let on_the_way = on_the_way.map(|((point, state), future)| (*point, state, future));
             let rests = predict::until_rest(&model, on_the_way);
-            let drawn = points.iter().zip(states).zip(rests);
-            drops.extend(drawn.map(|((point, state), rest)| DrawnDrop {
-                candidate,
-                law: point.law,
-                state,
-                rest,
-            }));
+            drops.extend(
+                states
+                    .into_iter()
+                    .zip(rests)
+                    .map(|(state, rest)| DrawnDrop { state, rest }),
+            );
         }
         drops
     }
@@ -669,8 +681,6 @@ impl SampledPosterior {
 /// One draw as the drop that it says the times tell.
 #[derive(Debug, Clone)]
 pub(super) struct DrawnDrop {
-    pub(super) candidate: usize,
-    pub(super) law: Restitution,
     pub(super) state: DropState,
     /// Time and path to rest, if it comes to rest.
     pub(super) rest: Option<Rest>,

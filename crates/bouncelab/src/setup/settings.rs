@@ -116,6 +116,7 @@ impl Settings {
             at_speed_m_s: self.at_speed_m_s,
             reach: self.reach.clone().unwrap_or_default(),
             sampler,
+            each_impact: true,
         })
     }
 
