@@ -201,6 +201,7 @@ mod tests {
     use super::*;
     use crate::inference::likelihood::tests::{impacts, with_model};
     use crate::inference::model::Point;
+    use crate::inference::priors::{LawKind, Priors};
     use crate::simd::Lanes;
 
     /// The log posterior there is the one stated, and a step to either side of each unknown leads down.
@@ -251,6 +252,38 @@ mod tests {
             };
             let gained = log(&counted, &in_units) - log(model, &shifted);
             assert!((gained - unit.ln()).abs() < 1e-9, "{gained}");
+        });
+    }
+
+    /// Another law starts with the restitution that the fitted one has at the middle speed, and with its slope if it has one
+    /// to choose, whichever was fitted.
+    #[test]
+    fn another_law_starts_with_the_same_restitution_and_slope() {
+        with_model(&impacts(), |linear, vector| {
+            let priors = Priors {
+                release_s: linear.release_s,
+                ..Priors::default()
+            };
+            let of_law = |law: LawKind| {
+                let (observed, flights) = (linear.observed, linear.timed_flights);
+                let (media, middle) = (linear.media, linear.middle);
+                Model::new(observed, flights, media, middle, law, 1, &priors)
+            };
+            let [power, constant] = [LawKind::Power, LawKind::Constant].map(of_law);
+            let at_middle = |model: &Model, vector: &[f64]| {
+                let law = model.point(vector).unwrap().law;
+                law.at_with_log_slope(model.middle.speed_m_s)
+            };
+            let (e, log_slope) = at_middle(linear, vector);
+            assert!(log_slope < -0.01);
+            let as_power = power.start_from(linear, vector);
+            let back = linear.start_from(&power, &as_power);
+            for found in [at_middle(&power, &as_power), at_middle(linear, &back)] {
+                assert!((found.0 - e).abs() < 1e-12 && (found.1 - log_slope).abs() < 1e-12);
+            }
+            let as_constant = constant.start_from(linear, vector);
+            let (same, flat) = at_middle(&constant, &as_constant);
+            assert!((same - e).abs() < 1e-12 && flat == 0.0);
         });
     }
 

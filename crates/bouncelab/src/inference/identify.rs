@@ -3,7 +3,6 @@
 use super::model::Slot;
 use super::priors::LawKind;
 use super::sampled::SampledPosterior;
-use crate::simd::sum_of_products;
 use crate::stats::{mean, sd};
 
 /// Something that was not known before the data.
@@ -114,7 +113,10 @@ pub(super) fn correlations(columns: Vec<(&'static str, Vec<f64>)>) -> Correlatio
         (sd > 1e-12 * mean.abs().max(1e-12)).then_some((name, values))
     });
     let columns: Vec<_> = standardised.collect();
-    let correlation = |a: &[f64], b: &[f64]| sum_of_products::<8, _>(a, b) / a.len() as f64;
+    let correlation = |a: &[f64], b: &[f64]| {
+        let products = a.iter().zip(b).map(|(a, b)| a * b);
+        products.sum::<f64>() / a.len() as f64
+    };
     Correlations {
         quantities: columns.iter().map(|(name, _)| *name).collect(),
         matrix: columns

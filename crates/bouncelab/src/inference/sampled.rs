@@ -335,7 +335,9 @@ impl SampledPosterior {
     /// speed is near most of them.
     pub(super) fn laws(&self) -> Vec<LawKind> {
         let mut laws = self.priors.laws(self.observed().intervals.len());
-        laws.sort_by_key(|&law| law != LawKind::Power);
+        if let Some(power) = laws.iter().position(|&law| law == LawKind::Power) {
+            laws[..=power].rotate_right(1);
+        }
         laws
     }
 
@@ -437,15 +439,13 @@ impl SampledPosterior {
             )
         };
         let of_law = || fits().filter(|it| it.law == model.law);
-        if let Some(other) = of_law().find(|it| it.missed_first == model.missed_first) {
-            return Some(moved(other).unwrap_or_else(|| from(other)));
+        let as_many_missed = of_law().find(|it| it.missed_first == model.missed_first);
+        let other = as_many_missed.or_else(|| of_law().last());
+        let (moved, itself) = (other.and_then(moved), other.map(from));
+        if as_many_missed.is_some() {
+            return moved.or(itself);
         }
-        let fewer_missed = of_law().last();
-        let starts = [
-            first_here.clone(),
-            fewer_missed.and_then(moved),
-            fewer_missed.map(from),
-        ];
+        let starts = [first_here.clone(), moved, itself];
         let mut starts: Vec<Vec<f64>> = starts.into_iter().flatten().collect();
         if first_here.is_none() {
             starts.push(model.start());
