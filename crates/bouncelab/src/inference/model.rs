@@ -523,10 +523,7 @@ impl<'a> Model<'a> {
     }
 
     /// The most probable of some vectors, the first of equals. One that makes no sense is less probable than any.
-    pub(super) fn most_probable(&self, mut vectors: Vec<Vec<f64>>) -> Vec<f64> {
-        if vectors.len() == 1 {
-            return vectors.remove(0);
-        }
+    pub(super) fn most_probable(&self, vectors: Vec<Vec<f64>>) -> Vec<f64> {
         let tried = DMatrix::from_fn(self.slots.len(), vectors.len(), |place, number| {
             vectors[number][place]
         });

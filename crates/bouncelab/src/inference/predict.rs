@@ -84,20 +84,16 @@ pub(super) fn until_rest<'s>(
     let mut rests = Vec::new();
     let mut waiting = drops.into_iter();
     let mut lanes: [Option<Bouncing>; LANES] = array::from_fn(|_| None);
-    let mut known_laws = None;
     loop {
         for lane in lanes.iter_mut().filter(|lane| lane.is_none()) {
             *lane = waiting.find_map(|(point, state, future)| {
                 rests.push(None);
                 Bouncing::new(model, point, state, future, rests.len() - 1)
             });
-            known_laws = None;
         }
-        let Some(laws) = known_laws.or_else(|| laws_of(&lanes)) else {
+        let Some([expected, launch]) = next_impacts(&mut lanes) else {
             return rests;
         };
-        known_laws = Some(laws);
-        let [expected, launch] = next_impacts(&mut lanes, &laws);
         for (place, lane) in lanes.iter_mut().enumerate() {
             let Some(drop) = lane else { continue };
             let after = drop.after_impact(expected.0[place], launch.0[place]);
@@ -109,28 +105,20 @@ pub(super) fn until_rest<'s>(
     }
 }
 
-/// The law of each drop, and that of another where there is none; `None` where there is no drop in any lane.
-fn laws_of(lanes: &[Option<Bouncing>; LANES]) -> Option<Restitutions<LANES>> {
+/// What the next impact of each drop is expected to keep of the speed, and the launch after it, m/s; `None` where there is
+/// no drop in any lane.
+fn next_impacts(lanes: &mut [Option<Bouncing>; LANES]) -> Option<[Lanes<LANES>; 2]> {
     let any = lanes.iter().flatten().next()?.point.law;
-    let laws = lanes
-        .each_ref()
-        .map(|lane| lane.as_ref().map_or(any, |drop| drop.point.law));
-    Some(Restitutions::of(&laws))
-}
-
-/// What the next impact of each drop is expected to keep of the speed under its law, and the launch after it, m/s.
-fn next_impacts(
-    lanes: &mut [Option<Bouncing>; LANES],
-    laws: &Restitutions<LANES>,
-) -> [Lanes<LANES>; 2] {
     let random = lanes.each_mut();
     let deviations = tail::draw(random.map(|lane| Some(&mut lane.as_mut()?.future.rng)));
+    let law = |lane: &Option<Bouncing>| lane.as_ref().map_or(any, |drop| drop.point.law);
+    let laws = Restitutions::of(&array::from_fn(|lane| law(&lanes[lane])));
     let of =
         |number: fn(&Bouncing) -> f64| Lanes::of(|lane| lanes[lane].as_ref().map_or(0.0, number));
     let [impact, ln_slowest] = [of(|it| it.impact), of(|it| it.ln_slowest)];
     let [scatter, exponent] = [of(|it| it.point.scatter), of(|it| it.future.loss_exponent)];
     let least_loss = of(|it| it.least_loss);
-    dispatch(
+    Some(dispatch(
         #[inline(always)]
         || {
             let ln_impact = impact.ln();
@@ -142,7 +130,7 @@ fn next_impacts(
             let expected = Lanes::all(1.0) / (lost_to_kept + 1.0);
             [expected, impact * expected * (scatter * deviations).exp()]
         },
-    )
+    ))
 }
 
 impl<'a> Bouncing<'a> {
