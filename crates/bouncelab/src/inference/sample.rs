@@ -90,7 +90,7 @@ impl Proposal {
             let (drawn, density) = dispatch(
                 #[inline(always)]
                 || {
-                    self.transformed(coordinates::<LANES>(
+                    self.transformed(&coordinates::<LANES>(
                         numbers,
                         seed,
                         dimensions + EXPONENTIALS,
@@ -111,7 +111,7 @@ impl Proposal {
     /// The draws that uniform numbers stand for, of which the last few, as many as there are exponentials, are multiplied;
     /// and the logarithms of their densities.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
-    fn transformed<const L: usize>(&self, uniform: Vec<Lanes<L>>) -> (Vec<Lanes<L>>, Lanes<L>) {
+    fn transformed<const L: usize>(&self, uniform: &[Lanes<L>]) -> (Vec<Lanes<L>>, Lanes<L>) {
         let dimensions = self.centre.len();
         let (uniform, exponential) = uniform.split_at(dimensions);
         let normal: Vec<Lanes<L>> = uniform.iter().copied().map(normal_quantile).collect();

@@ -440,7 +440,7 @@ impl SampledPosterior {
         };
         let of_law = || fits().filter(|it| it.law == model.law);
         let as_many_missed = of_law().find(|it| it.missed_first == model.missed_first);
-        let other = as_many_missed.or_else(|| of_law().last());
+        let other = as_many_missed.or_else(|| of_law().next_back());
         let (moved, itself) = (other.and_then(moved), other.map(from));
         if as_many_missed.is_some() {
             return moved.or(itself);
