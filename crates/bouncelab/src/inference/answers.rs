@@ -67,6 +67,7 @@ impl Answers {
     ) -> Option<Posterior> {
         let of = |values: &[f64]| Estimate::of_draws(values.iter().copied());
         let innovations = posterior.innovations();
+        let weights = weights(&posterior, &innovations);
         let sigma_s = &posterior.observed().sigma_s;
         let squares: f64 = sigma_s.iter().map(|s| s * s).sum();
         let rms_s = (squares / sigma_s.len() as f64).sqrt();
@@ -106,7 +107,7 @@ impl Answers {
             total_path_m: Estimate::of_draws(rest.iter().map(|rest| rest.path_m)),
             missed_first_impacts: missed_first(&posterior),
             predictions: predictions(&posterior, &inference.reach),
-            impacts: detected(&posterior, &drops, &innovations),
+            impacts: detected(&posterior, &drops, &innovations, &weights),
             models: self.models(&posterior),
             log_evidence: posterior.log_evidence(),
             prior_contraction,
@@ -142,7 +143,7 @@ impl Answers {
             fitted_speeds_m_s: posterior
                 .fitted_speeds_m_s()
                 .unwrap_or([posterior.middle.slowest_m_s, posterior.middle.fastest_m_s]),
-            innovations,
+            weights,
             sampled: posterior,
         };
         inferred.band = inferred.compute_band();
@@ -300,9 +301,21 @@ fn terminal_speed(model: &FlightModel, drag_strength: f64) -> Option<f64> {
     Some(speed)
 }
 
-/// What an impact adds, by its place among those detected.
-pub(super) fn innovation_of(innovations: &[Innovation], place: usize) -> Option<&Innovation> {
-    innovations.iter().rfind(|it| it.impact == place)
+/// What an impact adds, by its place among so many intervals; nothing for the last impact, which no flight follows.
+fn innovation_of(
+    innovations: &[Innovation],
+    intervals: usize,
+    place: usize,
+) -> Option<&Innovation> {
+    let innovation = innovations.iter().rfind(|it| it.impact == place);
+    innovation.filter(|_| place < intervals)
+}
+
+/// The weight of each impact detected in the fit.
+fn weights(posterior: &SampledPosterior, innovations: &[Innovation]) -> Vec<f64> {
+    let intervals = posterior.observed().intervals.len();
+    let weight = |place| innovation_of(innovations, intervals, place).map_or(1.0, |it| it.weight);
+    (0..=intervals).map(weight).collect()
 }
 
 /// The impacts detected, with what each did to the speed and the energy of the ball.
@@ -310,6 +323,7 @@ fn detected(
     posterior: &SampledPosterior,
     drops: &[DrawnDrop],
     innovations: &[Innovation],
+    weights: &[f64],
 ) -> Vec<ImpactPosterior> {
     let mass_kg = FlightModel::new(&posterior.ball, &posterior.environment)
         .ok()
@@ -321,7 +335,7 @@ fn detected(
         .filter_map(|(place, impact)| {
             let launches = intervals.get(place).is_some();
             let single = intervals.get(place).is_some_and(|s| s.flights == 1);
-            let innovation = innovation_of(innovations, place).filter(|_| launches);
+            let innovation = innovation_of(innovations, intervals.len(), place);
             let energy =
                 |faster: f64, slower: f64| 0.5 * mass_kg * (faster * faster - slower * slower);
             let when = |possible: bool, value: &dyn Fn(&DropState) -> f64| {
@@ -343,7 +357,7 @@ fn detected(
                     energy(after(state), state.impact_speeds[place + 1])
                 }),
                 standardised_residual: innovation.map(|i| i.standardised),
-                weight: innovation.map_or(1.0, |i| i.weight),
+                weight: weights[place],
             })
         })
         .collect()

@@ -1,11 +1,9 @@
 //! The posterior as a result: estimates and their diagnostics.
 
 use super::Prediction;
-use super::answers;
 use super::budget::{self, Budget};
 use super::findings::ODD_WEIGHT;
 use super::identify::{Correlations, PriorContraction};
-use super::likelihood::Innovation;
 use super::predict;
 use super::priors::{LawKind, Measured};
 use super::sampled::{SampledPosterior, THINNED};
@@ -84,7 +82,7 @@ pub struct Posterior {
     #[cfg_attr(feature = "serde", serde(skip))]
     pub fitted_speeds_m_s: [f64; 2],
     #[cfg_attr(feature = "serde", serde(skip))]
-    pub(super) innovations: Vec<Innovation>,
+    pub(super) weights: Vec<f64>,
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) sampled: SampledPosterior,
 }
@@ -197,11 +195,9 @@ impl Posterior {
     /// The weight of an impact in the fit, as [`ImpactPosterior::weight`], whether or not each impact was asked for; `None`
     /// if none of this number was detected.
     pub fn weight(&self, number: usize) -> Option<f64> {
-        let observed = self.sampled.observed();
-        let place = observed.impacts.iter().position(|it| it.number == number)?;
-        let launches = place < observed.intervals.len();
-        let innovation = answers::innovation_of(&self.innovations, place).filter(|_| launches);
-        Some(innovation.map_or(1.0, |it| it.weight))
+        let mut impacts = self.sampled.observed().impacts.iter();
+        let place = impacts.position(|it| it.number == number)?;
+        self.weights.get(place).copied()
     }
 
     /// The restitution law at a speed, m/s.

@@ -423,7 +423,7 @@ impl SampledPosterior {
         let fit = |law: LawKind, media: usize, missed: usize| {
             fits().find(|it| (it.law, it.media, it.missed_first) == (law, media, missed))
         };
-        let from = |it: &Candidate| model.start_from(&self.model(it), it.fit.vector.as_slice());
+        let from = |it: &Candidate| self.start_from(model, it);
         let first = fits().next()?.law;
         let first_here = fit(first, media, model.missed_first).map(from);
         // As far from the first law here as another fit of this law from that of the first law beside it.
@@ -451,6 +451,11 @@ impl SampledPosterior {
             starts.push(model.start());
         }
         Some(model.most_probable(starts))
+    }
+
+    /// Where a search may begin by the fit of a candidate.
+    fn start_from(&self, model: &Model, fitted: &Candidate) -> Vec<f64> {
+        model.start_from(&self.model(fitted), fitted.fit.vector.as_slice())
     }
 
     /// Logarithm of the prior probability of a candidate, but for a constant.
