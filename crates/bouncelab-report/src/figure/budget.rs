@@ -69,14 +69,12 @@ fn bars(title: String, shares: &[Share], translator: &Translator) -> Option<Pane
     Some(Panel { title, ..panel })
 }
 
-/// Names and shares, the largest first, with the small ones added up.
+/// Names and shares, the largest first as in the budget, with the small ones added up.
 fn sources(shares: &[Share], translator: &Translator) -> Vec<(String, f64)> {
     let usable = shares
         .iter()
         .filter(|s| s.share.is_finite() && s.share > 0.0);
-    let (mut large, small): (Vec<&Share>, Vec<&Share>) =
-        usable.partition(|share| share.share >= SMALL);
-    large.sort_by(|a, b| b.share.total_cmp(&a.share));
+    let (large, small): (Vec<&Share>, Vec<&Share>) = usable.partition(|share| share.share >= SMALL);
     let rest: f64 = small.iter().map(|share| share.share).sum();
     let rest = (rest >= LEAST && !large.is_empty())
         .then(|| (translator.text("figure-budget-others"), rest));

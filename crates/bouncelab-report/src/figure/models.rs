@@ -1,6 +1,6 @@
 //! The probability of each law, and its result.
 
-use bouncelab::inference::{Model, Posterior};
+use bouncelab::inference::Posterior;
 
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Scale, Ticks, row_middle, ys};
 use crate::messages::Translator;
@@ -13,8 +13,7 @@ const ROW: f64 = 32.0;
 /// Probability of each model as a bar, and beside it what it says of the drop height.
 pub(super) fn models(found: &Posterior, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-models-{id}"));
-    let mut models: Vec<&Model> = found.models.iter().collect();
-    models.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+    let models = &found.models;
     let (rows, height) = (models.len(), ROW * models.len() as f64);
     let (mut bars, mut ends, mut shares) = (Vec::new(), Vec::new(), Vec::new());
     let (mut intervals, mut values) = (Vec::new(), Vec::new());
