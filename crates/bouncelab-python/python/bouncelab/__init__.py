@@ -1,7 +1,7 @@
 """From a recording of a bouncing ball to the physics.
 
 >>> import bouncelab as bl
->>> sound = bl.synthesize(height_m=0.305, restitution=0.95, ball="table-tennis-38", seed=1)
+>>> sound = bl.synthesize(height_m=0.3, restitution=0.95, ball="table-tennis-38", seed=1)
 >>> drop = bl.analyze(sound.samples, sound.sample_rate_hz, ball="table-tennis-38").drops[0]
 >>> print(f"restitution {drop.restitution.value:.3f}, from {drop.drop_height_m.value:.2f} m")
 restitution 0.950, from 0.30 m
