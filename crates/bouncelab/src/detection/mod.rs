@@ -698,14 +698,8 @@ impl Envelope {
     }
 
     fn halve(&mut self) {
-        let pairs = |values: &[f32], pick: fn(f32, f32) -> f32| {
-            values
-                .chunks(2)
-                .map(|pair| pair.iter().copied().reduce(pick).unwrap_or(0.0))
-                .collect()
-        };
-        self.least = pairs(&self.least, f32::min);
-        self.greatest = pairs(&self.greatest, f32::max);
+        keep_of_pairs(&mut self.least, lesser);
+        keep_of_pairs(&mut self.greatest, greater);
         self.samples_per_step *= 2;
     }
 }
@@ -753,6 +747,14 @@ fn extreme(samples: &[f32], pick: impl Fn(f32, f32) -> f32) -> f32 {
     let quad: [f32; 4] = std::array::from_fn(|lane| pick(lanes[lane], lanes[lane + 4]));
     let best = pick(pick(quad[0], quad[1]), pick(quad[2], quad[3]));
     rest.iter().copied().fold(best, &pick)
+}
+
+/// Keeps one of each two of these values, of which there is an even number.
+fn keep_of_pairs(values: &mut Vec<f32>, pick: impl Fn(f32, f32) -> f32) {
+    for pair in 0..values.len() / 2 {
+        values[pair] = pick(values[2 * pair], values[2 * pair + 1]);
+    }
+    values.truncate(values.len() / 2);
 }
 
 /// Without the care for NaN that `f32::min` takes: one instruction.

@@ -59,22 +59,36 @@ pub(super) struct Link {
     pub(super) number: u32,
 }
 
-/// What the way to a pair of impacts says of the next.
+/// What was learnt on the way to a pair of impacts.
 #[derive(Clone, Copy)]
-struct State {
+struct Way {
     evidence: f64,
     ln_flight: f64,
+    /// The square of the last flight, in s².
+    flight2: f64,
     trend: Trend,
     /// How many ratios of flights went into the trend.
     ratios: u32,
     /// Variance of the ratios about their trend.
     scatter2: f64,
+}
+
+/// What a way says of the next interval.
+#[derive(Clone, Copy)]
+struct Expected {
+    /// Logarithm of it over the last flight.
+    ln_interval: f64,
+    /// The same of the last flight in it.
+    ln_last: f64,
+}
+
+/// A way, and what it says of the next impact.
+struct State {
+    way: Way,
     /// The most evidence that the next ratio can add.
     most: f64,
-    /// Logarithm of the next interval over the last flight, with 0, 1, 2 impacts missed in it.
-    expected: [f64; MOST_MISSED + 1],
-    /// The same of the last flight in it.
-    expected_last: [f64; MOST_MISSED + 1],
+    /// The next interval with 0, 1, 2 impacts missed in it.
+    expected: [Expected; MOST_MISSED + 1],
 }
 
 /// How the ratio of successive flights changes as they get shorter: its logarithm is a - b T², with T the
@@ -103,8 +117,7 @@ impl Trend {
     const GREATEST_STEP: f64 = 0.05;
 
     /// What the ratio of the first two flights tells.
-    fn new(ln_ratio: f64, ln_flight: f64, scatter2: f64) -> Self {
-        let square = (2.0 * ln_flight).exp();
+    fn new(ln_ratio: f64, square: f64, scatter2: f64) -> Self {
         let fall2 = Self::FALL_SD * Self::FALL_SD;
         Self {
             ln_ratio: ln_ratio + Self::FALL * square,
@@ -113,22 +126,20 @@ impl Trend {
         }
     }
 
-    /// Logarithm of the next flight over one of this duration.
-    fn ln_ratio(&self, ln_flight: f64) -> f64 {
-        let ln_ratio = self.ln_ratio - self.fall * (2.0 * ln_flight).exp();
+    /// Logarithm of the next flight over one whose duration has this square, in s².
+    fn ln_ratio(&self, square: f64) -> f64 {
+        let ln_ratio = self.ln_ratio - self.fall * square;
         ln_ratio.clamp(LEAST_LN_RATIO, GREATEST_LN_RATIO)
     }
 
     /// Its variance from what is not known of the trend.
-    fn variance(&self, ln_flight: f64) -> f64 {
-        let square = (2.0 * ln_flight).exp();
+    fn variance(&self, square: f64) -> f64 {
         let [ratio, both, fall] = self.covariance;
         ratio - square * (2.0 * both - square * fall)
     }
 
     /// The trend after a ratio that differs by so much from what was expected, with this variance.
-    fn learn(&self, surprise: f64, variance: f64, ln_flight: f64, scatter2: f64) -> Self {
-        let square = (2.0 * ln_flight).exp();
+    fn learn(&self, surprise: f64, variance: f64, square: f64, scatter2: f64) -> Self {
         let [ratio, both, fall] = self.covariance;
         let gains = [ratio - square * both, both - square * fall].map(|it| it / variance);
         let step = surprise.clamp(-Self::GREATEST_STEP, Self::GREATEST_STEP);
@@ -175,13 +186,14 @@ impl Step {
     }
 }
 
-impl State {
+impl Way {
     /// The first two impacts of a train, on a smooth and on a rough surface.
-    fn initial_states(step: &Step, around_first: &Surroundings) -> impl Iterator<Item = Self> {
+    fn beginnings(step: &Step, around_first: &Surroundings) -> impl Iterator<Item = Self> {
         let by_chance = around_first.by_chance(step.interval_s).ln();
         let first_flight = evidence::ln_first_flight(step.interval_s);
         let evidence = around_first.ln_birth() + first_flight + step.common + by_chance;
         let ln_flight = step.ln_interval;
+        let flight2 = step.interval_s * step.interval_s;
         let surfaces = if step.interval_s < SHORTEST_FIRST_S {
             &[]
         } else {
@@ -190,17 +202,36 @@ impl State {
         surfaces.iter().map(move |surface| Self {
             evidence: evidence + surface.ln_prior,
             ln_flight,
+            flight2,
             trend: Trend::default(),
             ratios: 0,
             scatter2: surface.scatter.powi(2),
-            most: evidence::FIRST_RATIO_DENSITY.ln(),
-            expected: [0.0; MOST_MISSED + 1],
-            expected_last: [0.0; MOST_MISSED + 1],
+        })
+    }
+
+    /// Logarithm of the next flight over the last.
+    fn ln_ratio(&self) -> f64 {
+        self.trend.ln_ratio(self.flight2)
+    }
+
+    /// The next intervals with 0, 1, 2... impacts missed in them.
+    fn expected(&self) -> impl Iterator<Item = Expected> {
+        // All in units of the last flight: the latest flight, the time until its end, and the logarithm of the flight.
+        let (mut flight, mut time, mut ln_last) = (1.0, 0.0, 0.0);
+        (0..).map(move |missed| {
+            ln_last += self.trend.ln_ratio(self.flight2 * flight * flight);
+            flight = ln_last.exp();
+            time += flight;
+            let ln_interval = if missed == 0 { ln_last } else { time.ln() };
+            Expected {
+                ln_interval,
+                ln_last,
+            }
         })
     }
 
     /// The same train one impact later, if its evidence exceeds `least`.
-    fn next(&self, step: &Step, missed: usize, least: f64) -> Option<Self> {
+    fn next(&self, step: &Step, missed: usize, expected: Expected, least: f64) -> Option<Self> {
         let change = step.ln_interval - self.ln_flight;
         if self.ratios == 0 {
             return if missed == 0 {
@@ -209,7 +240,7 @@ impl State {
                 None
             };
         }
-        let surprise = change - self.expected[missed];
+        let surprise = change - expected.ln_interval;
         if surprise.abs() > FARTHEST {
             return None;
         }
@@ -217,7 +248,7 @@ impl State {
         let ln_fall = if missed == 0 {
             change
         } else {
-            self.expected_last[missed]
+            expected.ln_last
         };
         let variance = self.variance(step);
         let evidence = self.evidence
@@ -227,50 +258,51 @@ impl State {
         (evidence > least).then(|| {
             let scatter2 = self.learn(surprise, variance);
             // Of an interval with missed impacts, the last flight alone.
-            let last = self.expected_last[missed] - self.expected[missed];
+            let last = expected.ln_last - expected.ln_interval;
+            let ln_flight = step.ln_interval + last;
             Self {
                 evidence,
+                ln_flight,
+                flight2: (2.0 * ln_flight).exp(),
+                trend: self.trend.learn(surprise, variance, self.flight2, scatter2),
                 ratios: self.ratios + 1,
-                ..self.with(
-                    step.ln_interval + last,
-                    self.trend
-                        .learn(surprise, variance, self.ln_flight, scatter2),
-                    scatter2,
-                )
+                scatter2,
             }
         })
     }
 
     /// Logarithm of how likely this interval is for a ball, whatever else may explain it.
-    fn ln_flight(&self, stride: &Stride) -> f64 {
+    fn ln_flight(&self, stride: &Stride) -> Option<f64> {
         let change = stride.step.ln_interval - self.ln_flight;
         if self.ratios == 0 {
-            return evidence::FIRST_RATIO_DENSITY.ln();
+            return Some(evidence::FIRST_RATIO_DENSITY.ln());
         }
-        let surprise = change - self.expected[stride.missed];
-        evidence::ln_ratio(surprise, self.variance(&stride.step))
+        let surprise = change - self.expected().nth(stride.missed)?.ln_interval;
+        let variance = self.variance(&stride.step);
+        Some(evidence::ln_ratio(surprise, variance))
     }
 
     /// Variance of the next ratio as it is predicted.
     fn variance(&self, step: &Step) -> f64 {
-        step.variance + self.scatter2 + self.trend.variance(self.ln_flight)
+        step.variance + self.scatter2 + self.trend.variance(self.flight2)
     }
 
     /// The third impact sets the ratio.
     fn third(&self, step: &Step, change: f64, least: f64) -> Option<Self> {
-        let possible = LEAST_LN_RATIO..=step.variance.sqrt();
+        if !(LEAST_LN_RATIO..=step.variance.sqrt()).contains(&change) {
+            return None;
+        }
         let evidence = self.evidence
             + step.common
             + evidence::ln_first_ratio(change, self.ln_flight)
             + step.fall.knowing(change).ln();
-        (possible.contains(&change) && evidence > least).then(|| Self {
+        (evidence > least).then(|| Self {
             evidence,
+            ln_flight: step.ln_interval,
+            flight2: step.interval_s * step.interval_s,
+            trend: Trend::new(change, self.flight2, self.scatter2),
             ratios: 1,
-            ..self.with(
-                step.ln_interval,
-                Trend::new(change, self.ln_flight, self.scatter2),
-                self.scatter2,
-            )
+            scatter2: self.scatter2,
         })
     }
 
@@ -282,35 +314,59 @@ impl State {
         ((counts * self.scatter2 + seen) / (counts + 1.0)).max(evidence::LEAST_SCATTER.powi(2))
     }
 
-    /// The same state with another last flight, trend and scatter of ratios.
-    fn with(&self, ln_flight: f64, trend: Trend, scatter2: f64) -> Self {
-        let (mut sum, mut ln_last) = (0.0, 0.0);
-        let mut expected = [0.0; MOST_MISSED + 1];
-        let mut expected_last = expected;
-        for missed in 0..=MOST_MISSED {
-            ln_last += trend.ln_ratio(ln_flight + ln_last);
-            sum += ln_last.exp();
-            expected[missed] = sum.ln();
-            expected_last[missed] = ln_last;
+    /// Where this stride leads, however little evidence is left.
+    fn by(&self, stride: &Stride) -> Option<Self> {
+        if stride.missed > MOST_MISSED {
+            return None;
         }
-        Self {
-            ln_flight,
-            trend,
-            scatter2,
-            most: evidence::most_from_ratio(scatter2).ln(),
-            expected,
-            expected_last,
-            ..*self
-        }
+        let expected = self.expected().nth(stride.missed)?;
+        self.next(&stride.step, stride.missed, expected, f64::NEG_INFINITY)
     }
 }
 
-/// A state of the search and the best way to it.
-struct Node {
-    state: State,
+impl State {
+    fn new(way: Way) -> Self {
+        let mut expected = [Expected {
+            ln_interval: 0.0,
+            ln_last: 0.0,
+        }; MOST_MISSED + 1];
+        let most = if way.ratios == 0 {
+            evidence::FIRST_RATIO_DENSITY
+        } else {
+            for (place, next) in expected.iter_mut().zip(way.expected()) {
+                *place = next;
+            }
+            evidence::most_from_ratio(way.scatter2)
+        };
+        Self {
+            way,
+            most: most.ln(),
+            expected,
+        }
+    }
+
+    /// The same train one impact later, if its evidence exceeds `least`.
+    fn next(&self, step: &Step, missed: usize, least: f64) -> Option<Way> {
+        self.way.next(step, missed, self.expected[missed], least)
+    }
+}
+
+/// Where a way to a pair of impacts came from: the onset and node before, and how many impacts were missed in between.
+struct Origin {
     from: u32,
     missed: u32,
     back: Option<u32>,
+}
+
+impl Origin {
+    /// Of a train whose first impact is this onset.
+    fn beginning(onset: usize) -> Self {
+        Self {
+            from: onset as u32,
+            missed: 0,
+            back: None,
+        }
+    }
 }
 
 /// The measure of what a search among onsets does: for each, the pairs of others from which a flight may lead to it.
@@ -328,7 +384,7 @@ pub(crate) fn work(onsets: &[Onset]) -> u64 {
 /// The chain with the most evidence, if any has enough impacts.
 pub(super) fn best(onsets: &[Onset], span: Span) -> Option<Chain> {
     let around = Surroundings::of(onsets, span);
-    let mut nodes: Vec<Node> = Vec::new();
+    let mut nodes: Vec<(State, Origin)> = Vec::new();
     // The nodes that end at onset j are nodes[ends[j]..ends[j + 1]].
     let mut ends = vec![0];
     for later in 0..onsets.len() {
@@ -345,26 +401,23 @@ pub(super) fn best(onsets: &[Onset], span: Span) -> Option<Chain> {
                 continue;
             }
             let before = ends[earlier]..ends[earlier + 1];
-            let mut survivors = survivors(&nodes, before, earlier, &step);
+            let mut ways = survivors(&nodes, before, earlier, &step);
             // A drop begins with its loudest impacts; only later ones may be faint.
             if onsets[earlier].stands_out() && onsets[later].stands_out() {
-                let initial_states = State::initial_states(&step, &around[earlier]);
-                survivors.extend(initial_states.map(|state| Node {
-                    state,
-                    from: earlier as u32,
-                    missed: 0,
-                    back: None,
-                }));
+                let origin = |way| (way, Origin::beginning(earlier));
+                ways.extend(Way::beginnings(&step, &around[earlier]).map(origin));
             }
-            nodes.append(&mut survivors);
+            let reached = |(way, origin)| (State::new(way), origin);
+            nodes.extend(ways.into_iter().map(reached));
         }
         ends.push(nodes.len());
     }
+    let way = |node: usize| &nodes[node].0.way;
     let end = (0..nodes.len())
-        .filter(|&n| nodes[n].state.ratios as usize + 2 >= FEWEST_IMPACTS)
-        .max_by(|&a, &b| nodes[a].state.evidence.total_cmp(&nodes[b].state.evidence))?;
+        .filter(|&n| way(n).ratios as usize + 2 >= FEWEST_IMPACTS)
+        .max_by(|&a, &b| way(a).evidence.total_cmp(&way(b).evidence))?;
     let last_onset = ends.partition_point(|&e| e <= end) - 1;
-    let evidence = nodes[end].state.evidence;
+    let evidence = way(end).evidence;
     Some(Chain {
         links: trace(&nodes, end, last_onset),
         evidence,
@@ -373,58 +426,58 @@ pub(super) fn best(onsets: &[Onset], span: Span) -> Option<Chain> {
 }
 
 /// The best ways to a pair, one for each ratio that may follow from it.
-fn survivors(nodes: &[Node], before: Range<usize>, from: usize, step: &Step) -> Vec<Node> {
-    let from = from as u32;
-    let mut kept: Vec<Node> = Vec::new();
+fn survivors(
+    nodes: &[(State, Origin)],
+    before: Range<usize>,
+    from: usize,
+    step: &Step,
+) -> Vec<(Way, Origin)> {
+    let mut kept: Vec<(Way, Origin)> = Vec::new();
     for back in before {
-        let state = &nodes[back].state;
+        let state = &nodes[back].0;
         let least = if kept.len() < KEPT {
             PRUNE_BELOW
         } else {
-            kept[KEPT - 1].state.evidence
+            kept[KEPT - 1].0.evidence
         };
-        let most = state.evidence + step.common + step.most + state.most;
+        let most = state.way.evidence + step.common + step.most + state.most;
         for missed in 0..=MOST_MISSED {
             if most + missed as f64 * evidence::LN_MISSED <= least {
                 break;
             }
             if let Some(next) = state.next(step, missed, least) {
-                let back = Some(back as u32);
-                keep(
-                    &mut kept,
-                    Node {
-                        state: next,
-                        from,
-                        missed: missed as u32,
-                        back,
-                    },
-                );
+                let origin = Origin {
+                    from: from as u32,
+                    missed: missed as u32,
+                    back: Some(back as u32),
+                };
+                keep(&mut kept, next, origin);
             }
         }
     }
     kept
 }
 
-/// Puts a node in its place by evidence, unless a better one expects the same ratio and scatter.
-fn keep(kept: &mut Vec<Node>, node: Node) {
-    let alike = |other: &Node| {
-        let (a, b) = (&other.state, &node.state);
-        let scatter = a.scatter2.max(b.scatter2) / a.scatter2.min(b.scatter2);
-        (a.expected[0] - b.expected[0]).abs() < SAME_RATIO && scatter < SAME_SCATTER
+/// Puts a way in its place by evidence, unless a better one expects the same ratio and scatter.
+fn keep(kept: &mut Vec<(Way, Origin)>, way: Way, origin: Origin) {
+    let ln_ratio = way.ln_ratio();
+    let alike = |(other, _): &(Way, Origin)| {
+        let scatter = other.scatter2.max(way.scatter2) / other.scatter2.min(way.scatter2);
+        (other.ln_ratio() - ln_ratio).abs() < SAME_RATIO && scatter < SAME_SCATTER
     };
-    let place = kept.partition_point(|other| other.state.evidence >= node.state.evidence);
+    let place = kept.partition_point(|(other, _)| other.evidence >= way.evidence);
     if kept[..place].iter().any(alike) {
         return;
     }
     if let Some(worse) = (place..kept.len()).find(|&i| alike(&kept[i])) {
         kept.remove(worse);
     }
-    kept.insert(place, node);
+    kept.insert(place, (way, origin));
     kept.truncate(KEPT);
 }
 
 /// The way to a node, from its beginning.
-fn trace(nodes: &[Node], end: usize, last_onset: usize) -> Vec<Link> {
+fn trace(nodes: &[(State, Origin)], end: usize, last_onset: usize) -> Vec<Link> {
     let mut links = vec![Link {
         onset: last_onset,
         number: 0,
@@ -432,13 +485,13 @@ fn trace(nodes: &[Node], end: usize, last_onset: usize) -> Vec<Link> {
     let mut at = Some(end as u32);
     let mut back_number = 0;
     while let Some(index) = at {
-        let node = &nodes[index as usize];
-        back_number += node.missed + 1;
+        let origin = &nodes[index as usize].1;
+        back_number += origin.missed + 1;
         links.push(Link {
-            onset: node.from as usize,
+            onset: origin.from as usize,
             number: back_number,
         });
-        at = node.back;
+        at = origin.back;
     }
     links.reverse();
     for link in &mut links {
@@ -450,15 +503,16 @@ fn trace(nodes: &[Node], end: usize, last_onset: usize) -> Vec<Link> {
 /// The most likely number of each onset, if all of them are impacts of one drop.
 pub(super) fn numbers(onsets: &[Onset]) -> Option<Vec<u32>> {
     let around = Surroundings::of(onsets, Span::EVER);
-    let mut ways: Vec<(State, Vec<u32>)> = Vec::new();
+    let mut ways: Vec<(Way, Vec<u32>)> = Vec::new();
     for later in 1..onsets.len() {
         let step = Step::new(onsets, &around, (later - 1, later));
         if later == 1 {
-            ways.extend(State::initial_states(&step, &around[0]).map(|birth| (birth, vec![0, 1])));
+            ways.extend(Way::beginnings(&step, &around[0]).map(|birth| (birth, vec![0, 1])));
             continue;
         }
-        let mut longer: Vec<(State, Vec<u32>)> = Vec::new();
-        for (state, numbers) in &ways {
+        let mut longer: Vec<(Way, Vec<u32>)> = Vec::new();
+        for (way, numbers) in ways {
+            let state = State::new(way);
             for missed in 0..=MOST_MISSED {
                 if let Some(next) = state.next(&step, missed, f64::NEG_INFINITY) {
                     let last = numbers[numbers.len() - 1];
@@ -494,19 +548,9 @@ struct Stride {
     missed: usize,
 }
 
-impl State {
-    /// Where this stride leads, however little evidence is left.
-    fn by(&self, stride: &Stride) -> Option<Self> {
-        (stride.missed <= MOST_MISSED)
-            .then(|| self.next(&stride.step, stride.missed, f64::NEG_INFINITY))?
-    }
-}
-
-/// Where these strides lead from a state.
-fn follow(state: State, strides: &[Stride]) -> Option<State> {
-    strides
-        .iter()
-        .try_fold(state, |state, stride| state.by(stride))
+/// Where these strides lead on a way.
+fn follow(way: Way, strides: &[Stride]) -> Option<Way> {
+    strides.iter().try_fold(way, |way, stride| way.by(stride))
 }
 
 impl Chain {
@@ -515,19 +559,19 @@ impl Chain {
         let bridge = |from: usize, to: usize| self.stride(onsets, self.links[from], self.links[to]);
         let strides: Vec<Stride> = (1..self.links.len()).map(|n| bridge(n - 1, n)).collect();
         // Where each surface had led to before the onset that is left out.
-        let mut before: Vec<Option<State>> = Vec::new();
+        let mut before: Vec<Option<Way>> = Vec::new();
         let evidences = (0..self.links.len()).map(|position| {
             let after = strides.get(position + 1..).unwrap_or_default();
             let over = (0 < position && position < strides.len())
                 .then(|| bridge(position - 1, position + 1));
-            let ways: Vec<Option<State>> = match (position, &over) {
+            let ways: Vec<Option<Way>> = match (position, &over) {
                 (0, _) => after
                     .first()
-                    .map_or_else(Vec::new, |s| self.initial_states(s)),
-                (1, Some(over)) => self.initial_states(over),
+                    .map_or_else(Vec::new, |it| self.beginnings(it)),
+                (1, Some(over)) => self.beginnings(over),
                 (_, Some(over)) => before
                     .iter()
-                    .map(|state| state.and_then(|s| s.by(over)))
+                    .map(|way| way.and_then(|it| it.by(over)))
                     .collect(),
                 (_, None) => before.clone(),
             };
@@ -535,26 +579,26 @@ impl Chain {
             let rest = after.get(begun..).unwrap_or_default();
             before = match position {
                 0 => Vec::new(),
-                1 => self.initial_states(&strides[0]),
+                1 => self.beginnings(&strides[0]),
                 _ => before
                     .iter()
-                    .map(|state| state.and_then(|s| s.by(&strides[position - 1])))
+                    .map(|way| way.and_then(|it| it.by(&strides[position - 1])))
                     .collect(),
             };
-            let ends = ways.into_iter().filter_map(|state| follow(state?, rest));
-            ends.map(|state| state.evidence)
+            let ends = ways.into_iter().filter_map(|way| follow(way?, rest));
+            ends.map(|way| way.evidence)
                 .fold(f64::NEG_INFINITY, f64::max)
         });
         evidences.collect()
     }
 
     /// What this sequence of onsets says of the next, on a smooth or a rough surface.
-    fn state_after(&self, onsets: &[Onset]) -> Option<State> {
+    fn way_after(&self, onsets: &[Onset]) -> Option<Way> {
         let pairs = self.links.windows(2);
         let strides: Vec<Stride> = pairs.map(|p| self.stride(onsets, p[0], p[1])).collect();
         let (first, rest) = strides.split_first()?;
-        let ways = self.initial_states(first).into_iter();
-        ways.filter_map(|state| follow(state?, rest))
+        let ways = self.beginnings(first).into_iter();
+        ways.filter_map(|way| follow(way?, rest))
             .max_by(|a, b| a.evidence.total_cmp(&b.evidence))
     }
 
@@ -571,14 +615,14 @@ impl Chain {
         let pairs = self.links.windows(2);
         let strides: Vec<Stride> = pairs.map(|p| self.stride(onsets, p[0], p[1])).collect();
         let (first, rest) = strides.split_first()?;
-        let ways = self.initial_states(first).into_iter().flatten();
+        let ways = self.beginnings(first).into_iter().flatten();
         let on_each = ways
             .zip(&evidence::SURFACES)
             .filter_map(|(birth, surface)| {
-                let mut state = birth;
+                let mut way = birth;
                 let flights = rest.iter().map(|stride| {
-                    let ln = state.ln_flight(stride);
-                    state = state.by(stride)?;
+                    let ln = way.ln_flight(stride)?;
+                    way = way.by(stride)?;
                     Some(ln)
                 });
                 Some((surface.ln_prior, flights.collect::<Option<Vec<f64>>>()?))
@@ -606,9 +650,9 @@ impl Chain {
         if rhythm + rhythm::LN_USUAL + begins <= ball {
             return None;
         }
-        let whole = self.state_after(onsets)?.evidence;
+        let whole = self.way_after(onsets)?.evidence;
         let rest = self.links.split_off(end);
-        self.evidence += self.state_after(onsets)?.evidence - whole;
+        self.evidence += self.way_after(onsets)?.evidence - whole;
         Some(rest)
     }
 
@@ -630,25 +674,26 @@ impl Chain {
     }
 
     /// A train that begins so, on each surface.
-    fn initial_states(&self, first: &Stride) -> Vec<Option<State>> {
-        let initial_states = State::initial_states(&first.step, &self.around[first.from]);
-        initial_states.map(Some).collect()
+    fn beginnings(&self, first: &Stride) -> Vec<Option<Way>> {
+        let beginnings = Way::beginnings(&first.step, &self.around[first.from]);
+        beginnings.map(Some).collect()
     }
 
     /// Goes on after the last impact, down to the faintest: what is known of the drop by now says
     /// when the next one must come and how loud, so that it need not stand out of the other sounds. `ln_odds` is
     /// the logarithm of the odds that there is one.
     pub(super) fn extend(&mut self, onsets: &[Onset], ln_odds: f64) {
-        let Some(mut state) = self.state_after(onsets) else {
+        let Some(mut way) = self.way_after(onsets) else {
             return;
         };
         loop {
+            let state = State::new(way);
             let last = self.links[self.links.len() - 1];
             let near = onsets[last.onset + 1..]
                 .iter()
                 .take_while(|o| o.time_s - onsets[last.onset].time_s < LONGEST_S);
-            let enough = state.evidence - ln_odds;
-            let mut best: Option<(State, Link)> = None;
+            let enough = way.evidence - ln_odds;
+            let mut best: Option<(Way, Link)> = None;
             for (ahead, _) in near.enumerate() {
                 let onset = last.onset + 1 + ahead;
                 let mut step = Step::new(onsets, &self.around, (last.onset, onset));
@@ -669,8 +714,8 @@ impl Chain {
             let Some((next, link)) = best else {
                 return;
             };
-            self.evidence += next.evidence - state.evidence;
-            state = next;
+            self.evidence += next.evidence - way.evidence;
+            way = next;
             self.links.push(link);
         }
     }
