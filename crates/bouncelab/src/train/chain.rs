@@ -1,7 +1,7 @@
 //! The best chain of onsets by dynamic programming.
 //!
-//! A state is a pair of successive impacts: it fixes the last flight, and the way to it fixes the
-//! ratio to expect next. Each state keeps its few best ways (the Viterbi algorithm with
+//! A pair of successive impacts fixes the last flight, and the way to it fixes the
+//! ratio to expect next. Each pair keeps its few best ways (the Viterbi algorithm with
 //! per-survivor processing of the ratio), so the cost is that of trying every impact after every
 //! pair, not every subset.
 
@@ -592,7 +592,7 @@ impl Chain {
         evidences.collect()
     }
 
-    /// What this sequence of onsets says of the next, on a smooth or a rough surface.
+    /// The way by this sequence of onsets, on the surface on which it has more evidence.
     fn way_after(&self, onsets: &[Onset]) -> Option<Way> {
         let pairs = self.links.windows(2);
         let strides: Vec<Stride> = pairs.map(|p| self.stride(onsets, p[0], p[1])).collect();
