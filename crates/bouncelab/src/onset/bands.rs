@@ -1,50 +1,40 @@
 //! Energy in several bands.
 //!
-//! The upper bands are octaves of half-band filters (`octaves`). What these leave, at an eighth or
-//! so of the sample rate, is split into the lower bands by causal filters: a fourth-order
+//! The upper bands are octaves of half-band filters (`octaves`). The remaining low frequencies, at about an eighth
+//! of the sample rate, are split into the lower bands by causal filters: a fourth-order
 //! high-pass and a second-order low-pass, Butterworth sections. Their poles lie near 1, but at that
-//! rate not so near that single precision fell short: rounding stays 100 dB below the sound.
+//! rate single precision suffices: rounding stays 100 dB below the sound.
 
 use super::octaves::{self, Octaves};
+use super::parameters::{
+    DENORMAL_GUARD, FRAME_HOPS, HOP_S, LOW_EDGES_HZ, MAX_HALVINGS, MAX_HOP, MAX_LOW_EDGE,
+    MAX_LOW_RATE_HZ, MIN_EDGE_RATIO, MIN_SHARE_IN_RANGE, STEADINESS,
+};
 use std::f64::consts::{PI, SQRT_2};
 use std::ops::Range;
 
-/// How many frequency bands the detector watches.
+/// Number of frequency bands of the detector.
 pub const BANDS: usize = 5;
 
-/// Hops are judged in frames of this many.
-pub(super) const FRAME_HOPS: usize = 64;
-/// No hop has more samples than this, whatever sample rate a broken file claims.
-const MOST_HOP: usize = 2048;
-
-/// Edges of the lower bands in Hz; a band above the Nyquist frequency is cut or dropped.
-const LOW: usize = 2;
-const LOW_EDGES_HZ: [(f64, f64); LOW] = [(80.0, 400.0), (400.0, 1500.0)];
-/// The sound is halved in rate until the rate is below this: 4 to 8 kHz for most recordings. The
-/// middle band takes two octaves from there, each upper band one.
-const LOW_RATE_HZ: f64 = 8000.0;
-/// Seconds for each value of band energy, nearly.
-const HOP_S: f64 = 0.0005;
-
-/// Real backgrounds fluctuate more than steady noise does: as if their bands were so much narrower.
-const STEADINESS: f64 = 0.65;
+/// Number of lower bands.
+const LOW: usize = LOW_EDGES_HZ.len();
 
 /// The energies of one frame.
 pub(super) type FrameEnergies = [[f32; FRAME_HOPS]; BANDS];
 
-/// The filters of all bands, and what they say of noise.
+/// The filters of all bands, and how they respond to noise.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct FilterBank {
     /// How many bands lie below the Nyquist frequency; the rest have no energy.
     pub(super) bands: usize,
-    /// Where each band begins and ends, in Hz.
+    /// Lower and upper edge of each band, Hz.
     pub(super) edges_hz: [(f64, f64); BANDS],
-    /// Whether what rises in each band counts.
+    /// Whether a rise in each band counts.
     pub(super) watched: [bool; BANDS],
-    /// Width of each band in Hz, as noise fills it.
+    /// Effective noise bandwidth of each band, Hz.
     pub(super) width_hz: [f64; BANDS],
-    /// Share of the power of white noise that falls in each band.
+    /// Share of the power of white noise that lies in each band.
     pub(super) share: [f64; BANDS],
     /// Samples of a hop.
     pub(super) hop: usize,
@@ -57,11 +47,11 @@ pub(super) struct FilterBank {
 
 impl FilterBank {
     pub(super) fn new(sample_rate_hz: f64) -> Self {
-        let halvings = (sample_rate_hz / LOW_RATE_HZ).log2().floor() + 1.0;
-        let halvings = halvings.clamp(0.0, 8.0) as usize;
+        let octaves_above = (sample_rate_hz / MAX_LOW_RATE_HZ).log2().floor() + 1.0;
+        let halvings = octaves_above.clamp(0.0, MAX_HALVINGS) as usize;
         let low_rate_hz = sample_rate_hz / f64::from(1 << halvings);
-        let cells = ((low_rate_hz * HOP_S).round() as usize).clamp(1, MOST_HOP >> halvings);
-        let hop = cells << halvings;
+        let low_samples = ((low_rate_hz * HOP_S).round() as usize).clamp(1, MAX_HOP >> halvings);
+        let hop = low_samples << halvings;
         let mut bank = Self {
             bands: 0,
             edges_hz: [(0.0, 0.0); BANDS],
@@ -82,9 +72,9 @@ impl FilterBank {
     }
 
     fn set_low_bands(&mut self, rate_hz: f64) {
-        for (band, &(low_hz, high_hz)) in LOW_EDGES_HZ.iter().enumerate() {
-            let high_hz = high_hz.min(0.45 * rate_hz);
-            if high_hz < 1.3 * low_hz {
+        for (band, &(low_hz, edge_hz)) in LOW_EDGES_HZ.iter().enumerate() {
+            let high_hz = edge_hz.min(MAX_LOW_EDGE * rate_hz);
+            if high_hz < MIN_EDGE_RATIO * low_hz {
                 break;
             }
             self.bands = band + 1;
@@ -97,11 +87,12 @@ impl FilterBank {
 
     fn set_octaves(&mut self, halvings: usize, sample_rate_hz: f64) {
         for level in (0..=halvings).rev() {
-            // The last two levels make the middle band.
+            // The last two levels make the third band.
             let band = LOW + (halvings - level).saturating_sub(1);
             if band >= BANDS {
                 break;
             }
+            // Level n works at the sample rate over 2^n and splits off the upper half of its frequencies.
             let octave_hz = sample_rate_hz / f64::from(4 << level);
             if level == halvings || band > LOW {
                 self.edges_hz[band] = (octave_hz, 2.0 * octave_hz);
@@ -116,18 +107,19 @@ impl FilterBank {
         }
     }
 
-    /// The bands that there are, low to high, in Hz.
+    /// The bands below the Nyquist frequency, low to high, in Hz.
     pub(super) fn bands_hz(&self) -> Vec<Range<f64>> {
         let edges_hz = self.edges_hz[..self.bands].iter();
         edges_hz.map(|&(low_hz, high_hz)| low_hz..high_hz).collect()
     }
 
-    /// Watches only the bands of which at least half lies between these frequencies in Hz; whether
+    /// Restricts the detection to the bands of which at least half lies between these frequencies in Hz; returns whether
     /// there are any.
     pub(super) fn watch(&mut self, low_hz: f64, high_hz: f64) -> bool {
         for (watched, edges_hz) in self.watched.iter_mut().zip(self.edges_hz) {
             let inside_hz = edges_hz.1.min(high_hz) - edges_hz.0.max(low_hz);
-            *watched = low_hz < high_hz && inside_hz >= 0.5 * (edges_hz.1 - edges_hz.0);
+            *watched =
+                low_hz < high_hz && inside_hz >= MIN_SHARE_IN_RANGE * (edges_hz.1 - edges_hz.0);
         }
         self.watched[..self.bands].contains(&true)
     }
@@ -137,7 +129,7 @@ impl FilterBank {
         self.hop * FRAME_HOPS
     }
 
-    /// By how many samples the energies come late.
+    /// Delay of the energies, in samples.
     pub(super) fn delay(&self) -> usize {
         self.octaves.delay()
     }
@@ -151,8 +143,8 @@ impl FilterBank {
             self.low.offset = frame[0];
         }
         let mut energies = [[0.0; FRAME_HOPS]; BANDS];
-        let rest = self.octaves.push(frame);
-        self.low.energies(rest, &mut energies);
+        let low = self.octaves.push(frame);
+        self.low.energies(low, &mut energies);
         for &(level, band) in &self.levels {
             self.octaves.add_energies(level, &mut energies[band]);
         }
@@ -160,24 +152,29 @@ impl FilterBank {
     }
 }
 
+/// Sections of the filter of a lower band.
 const SECTIONS: usize = 3;
-/// All sections of all bands, and two that rest, so that four work side by side.
+/// All sections of all bands, and two unused ones, so that they fill wide registers.
 const LANES: usize = 8;
 
-/// The filters of the lower bands, in direct form I. The sections of a band work on successive
-/// samples at a time, so that all of them can run side by side.
+/// The filters of the lower bands, in direct form I. At each step section n of a band takes the output of section n - 1 of
+/// the step before, so that all sections run side by side; the lanes are the first sections of both bands, the second,
+/// the third, and two unused.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 struct LowBands {
+    /// The first sample, which is subtracted.
     offset: f32,
+    /// Power gain of each band.
     gain: [f32; LOW],
+    /// Coefficients of each section: of the sample before in the numerator, and of the denominator.
     middle: [f32; LANES],
     a1: [f32; LANES],
     a2: [f32; LANES],
-    /// What each section heard last, and before.
+    /// The latest two inputs of each section.
     x1: [f32; LANES],
     x2: [f32; LANES],
-    /// What each section said last, and before.
+    /// The latest two outputs of each section.
     y1: [f32; LANES],
     y2: [f32; LANES],
 }
@@ -202,7 +199,7 @@ impl LowBands {
     fn set(&mut self, band: usize, low: f64, high: f64) {
         let high_pass = Section::high_pass(low);
         let sections = [high_pass, high_pass, Section::low_pass(high)];
-        // The sections leave out their gains; the energy gets them at once.
+        // The sections leave out their gains; the energy is multiplied by the product of their squares.
         let gain: f64 = sections.iter().map(|s| s.gain * s.gain).product();
         self.gain[band] = gain as f32;
         for (index, section) in sections.iter().enumerate() {
@@ -216,18 +213,17 @@ impl LowBands {
     /// Mean square of each band in each hop.
     #[inline(always)]
     fn energies(&mut self, samples: &[f32], energies: &mut FrameEnergies) {
-        // A whisper of an offset keeps the filters out of denormal numbers in digital silence.
-        const WHISPER: f32 = 1e-10;
         let length = samples.len() / FRAME_HOPS;
-        let offset = self.offset - WHISPER;
+        let offset = self.offset - DENORMAL_GUARD;
         let Self { middle, a1, a2, .. } = *self;
         let (mut x1, mut x2, mut y1, mut y2) = (self.x1, self.x2, self.y1, self.y2);
         for (hop, samples) in samples.chunks_exact(length).enumerate() {
             let mut sums = [0.0; LOW];
             for &sample in samples {
-                let sample = sample - offset;
-                let x = [sample, sample, y1[0], y1[1], y1[2], y1[3], 0.0, 0.0];
+                let input = sample - offset;
+                let x = [input, input, y1[0], y1[1], y1[2], y1[3], 0.0, 0.0];
                 let y: [f32; LANES] = std::array::from_fn(|n| {
+                    // y1, of which the next sample must wait, enters last.
                     (x[n] + (middle[n] * x1[n] + x2[n] - a2[n] * y2[n])) - a1[n] * y1[n]
                 });
                 (x2, x1, y2, y1) = (x1, x, y1, y);

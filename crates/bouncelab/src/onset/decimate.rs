@@ -1,37 +1,31 @@
-//! High rates are lowered while the samples come.
+//! Lowers high sample rates while the samples come.
 //!
-//! No band above 24 kHz is watched, and times are known far better than a sample, so that samples beyond
-//! 96 kHz would cost memory and time for nothing. A low-pass filter of finite length, symmetric, so that
-//! it delays all frequencies alike and its delay can be taken out exactly, lets through what is below a
-//! third of the new rate; what would fold back into it is 70 dB lower (window of Blackman).
+//! There is no band above 24 kHz, and times are far more accurate than a sample, so samples beyond
+//! 96 kHz would cost memory and time for nothing. The low-pass filter is of finite length and symmetric, so that
+//! it delays all frequencies equally and its delay is subtracted exactly. It passes frequencies below a
+//! third of the new rate; those that would fold back into them are attenuated by 70 dB (Blackman window).
 
 use std::f64::consts::PI;
 
+use super::parameters::{DECIMATOR_CUT, DECIMATOR_REACH, MAX_RATE_HZ};
 use crate::simd::{dispatch, sum_of_products};
 
-/// Rates above are divided by the least whole number that brings them down to it, in Hz.
-const MOST_RATE_HZ: u32 = 96_000;
-/// How far the filter reaches to each side, in samples of the new rate.
-const REACH: usize = 16;
-/// Half of its power passes here, in units of the new rate.
-const CUT: f64 = 0.415;
-
-/// Keeps one sample in so many of a stream, without what lies above half their rate.
+/// Keeps one of `factor` samples of a stream, without the frequencies above half their rate.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Decimator {
     factor: usize,
     taps: Vec<f32>,
-    /// The latest samples, and the first in them that the next kept one takes part of.
+    /// The latest samples, and the index in them of the first that the filter needs for the next kept one.
     latest: Vec<f32>,
     first: usize,
     kept: Vec<f32>,
 }
 
 impl Decimator {
-    /// What lowers this rate, `None` if it is low enough; and the rate that is left, in Hz.
+    /// The decimator for a rate, `None` if the rate is low enough; and the lowered rate, in Hz.
     pub(super) fn of_rate(sample_rate_hz: u32) -> (Option<Self>, f64) {
-        let factor = sample_rate_hz.div_ceil(MOST_RATE_HZ).max(1) as usize;
+        let factor = sample_rate_hz.div_ceil(MAX_RATE_HZ).max(1) as usize;
         let decimator = (factor > 1).then(|| Self {
             factor,
             taps: low_pass(factor),
@@ -42,7 +36,7 @@ impl Decimator {
         (decimator, f64::from(sample_rate_hz.max(1)) / factor as f64)
     }
 
-    /// Takes the next samples; gives those that are kept. The first is that of the first sample.
+    /// Takes the next samples; returns those that are kept. The first is at the time of the first sample.
     pub(super) fn push(&mut self, samples: &[f32]) -> &[f32] {
         if self.latest.is_empty()
             && let Some(&begin) = samples.first()
@@ -53,7 +47,7 @@ impl Decimator {
         self.keep()
     }
 
-    /// Ends the stream, as if its last value went on; gives what is left.
+    /// Ends the stream, as if its last value were repeated; returns the last kept samples.
     pub(super) fn finish(&mut self) -> &[f32] {
         let hold = self.latest.last().copied().unwrap_or(0.0);
         self.latest.resize(self.latest.len() + self.reach(), hold);
@@ -71,7 +65,7 @@ impl Decimator {
                 }
             },
         );
-        // Never all of them: the filter is longer than a step.
+        // Some always remain: the filter is longer than a step.
         self.latest.drain(..self.first);
         self.first = 0;
         &self.kept
@@ -84,16 +78,16 @@ impl Decimator {
 
 /// The weights of the samples around one that is kept; their sum is 1.
 fn low_pass(factor: usize) -> Vec<f32> {
-    let reach = (REACH * factor) as f64;
-    let weight = |place: usize| {
-        let at = place as f64 - reach;
+    let reach = (DECIMATOR_REACH * factor) as f64;
+    let weight = |index: usize| {
+        let at = index as f64 - reach;
         let turn = PI * at / (reach + 1.0);
         let window = 0.42 + 0.5 * turn.cos() + 0.08 * (2.0 * turn).cos();
-        let phase = 2.0 * PI * CUT * at / factor as f64;
+        let phase = 2.0 * PI * DECIMATOR_CUT * at / factor as f64;
         let sinc = if at == 0.0 { 1.0 } else { phase.sin() / phase };
         window * sinc
     };
-    let weights: Vec<f64> = (0..=2 * REACH * factor).map(weight).collect();
+    let weights: Vec<f64> = (0..=2 * DECIMATOR_REACH * factor).map(weight).collect();
     let sum: f64 = weights.iter().sum();
     weights.iter().map(|weight| (weight / sum) as f32).collect()
 }
@@ -102,7 +96,7 @@ fn low_pass(factor: usize) -> Vec<f32> {
 mod tests {
     use super::*;
 
-    /// What is kept of a tone of amplitude 1 at 384 kHz, in blocks of this size.
+    /// The samples that are kept of a tone of amplitude 1 at 384 kHz, in blocks of this size.
     fn kept(tone_hz: f64, block: usize) -> Vec<f32> {
         let tone: Vec<f32> = (0..38_400)
             .map(|n| (2.0 * PI * tone_hz * f64::from(n) / 384e3).sin() as f32)
@@ -117,7 +111,7 @@ mod tests {
     }
 
     #[test]
-    fn low_tones_stay_as_they_are_and_in_their_place() {
+    fn low_tones_and_their_times_are_unchanged() {
         for tone_hz in [100.0, 10e3, 30e3] {
             let kept = kept(tone_hz, 1000);
             assert_eq!(kept.len(), 9600);
@@ -134,10 +128,10 @@ mod tests {
     fn tones_that_would_fold_back_are_taken_out() {
         for tone_hz in [50e3, 66e3, 90e3, 150e3] {
             let kept = kept(tone_hz, 1000);
-            let most = kept[20..9580]
+            let peak = kept[20..9580]
                 .iter()
-                .fold(0.0_f32, |most, x| most.max(x.abs()));
-            assert!(most < 10f32.powf(-70.0 / 20.0), "{tone_hz} Hz: {most}");
+                .fold(0.0_f32, |peak, x| peak.max(x.abs()));
+            assert!(peak < 10f32.powf(-70.0 / 20.0), "{tone_hz} Hz: {peak}");
         }
     }
 

@@ -1,24 +1,24 @@
-//! What is quiet: a low quantile of the latest energies, and the noise of rounding.
+//! The noise floor: a low quantile of the latest energies, and the noise of rounding.
 
-/// The bins of the histogram are an eighth of an octave in power: the exponent of a number and
-/// the first three bits after it.
+/// Bits of a number that its bin leaves out. A bin is the exponent and the first three bits after it, as single precision
+/// stores them: an eighth of an octave in power, without a logarithm.
 const SHIFT: u32 = 20;
 const BINS: usize = 1 << (31 - SHIFT);
 
 /// A quantile of the latest values, which must not be negative.
 ///
-/// The values are counted in bins, and the bin of the quantile is sought from where it was: a new
-/// value costs the same however many there are.
+/// The values are counted in bins, and the search for the bin of the quantile starts where it was last: a new
+/// value costs the same, however many are remembered.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Quantile {
     share: f64,
     capacity: usize,
-    /// The bins of the latest values, the oldest at `oldest`.
+    /// The bins of the latest values, a ring whose oldest is at `oldest`.
     recent: Vec<u16>,
     oldest: usize,
     counts: Vec<u16>,
-    /// The bin in which the quantile lies, and how many values lie below it.
+    /// The bin in which the quantile was last, and how many values lie below it.
     bin: usize,
     below: usize,
 }
@@ -39,11 +39,13 @@ impl Quantile {
 
     #[inline(always)]
     pub(super) fn push(&mut self, value: f32) {
-        let bin = (value.to_bits() >> SHIFT) as u16 & (BINS - 1) as u16;
+        // The sign bit is masked: minus zero is zero.
+        let code = (value.to_bits() >> SHIFT) as u16 & (BINS - 1) as u16;
         if self.recent.len() < self.capacity {
-            self.recent.push(bin);
+            self.recent.push(code);
         } else {
-            let old = usize::from(std::mem::replace(&mut self.recent[self.oldest], bin));
+            // The new value replaces the oldest one, in the ring and in the counts.
+            let old = usize::from(std::mem::replace(&mut self.recent[self.oldest], code));
             self.counts[old] -= 1;
             self.below -= usize::from(old < self.bin);
             self.oldest += 1;
@@ -51,7 +53,7 @@ impl Quantile {
                 self.oldest = 0;
             }
         }
-        let bin = usize::from(bin);
+        let bin = usize::from(code);
         self.counts[bin] += 1;
         self.below += usize::from(bin < self.bin);
     }
@@ -66,6 +68,7 @@ impl Quantile {
         if self.recent.is_empty() {
             return 0.0;
         }
+        // From the bin of last time to that in which the value of this rank lies: down, then up.
         let rank = self.rank();
         while self.below > rank {
             self.bin -= 1;
@@ -75,6 +78,7 @@ impl Quantile {
             self.below += usize::from(self.counts[self.bin]);
             self.bin += 1;
         }
+        // Between the edges of the bin by the rank, as if its values lay evenly in it.
         let edge = |bin: usize| f32::from_bits((bin as u32) << SHIFT);
         let (low, high) = (edge(self.bin), edge(self.bin + 1));
         let inside = (rank - self.below) as f32 + 0.5;
@@ -82,8 +86,8 @@ impl Quantile {
     }
 }
 
-/// The smallest step between samples. What the format cannot resolve is noise, even where a
-/// recording is digitally silent.
+/// The smallest step between samples. The format resolves no less, so at least the noise of rounding to this step is
+/// assumed, even where a recording is digitally silent.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct QuantisationStep {
@@ -99,34 +103,38 @@ impl QuantisationStep {
         }
     }
 
+    /// Takes samples that follow each other, for the smallest step between them.
     #[inline(always)]
-    pub(super) fn see(&mut self, samples: &[f32]) {
+    pub(super) fn measure(&mut self, samples: &[f32]) {
+        const LANES: usize = 16;
         let (Some(first), Some(last)) = (samples.first(), samples.last()) else {
             return;
         };
         let step = |a: f32, b: f32| {
-            let step = (b - a).abs();
-            if step > 0.0 { step } else { f32::INFINITY }
+            let size = (b - a).abs();
+            // Equal samples say nothing of the step.
+            if size > 0.0 { size } else { f32::INFINITY }
         };
-        let least = |a: f32, b: f32| if b < a { b } else { a };
-        let mut lanes = [self.smallest; 16];
-        let (before, after) = (&samples[..samples.len() - 1], &samples[1..]);
-        let (before, after) = (before.chunks_exact(16), after.chunks_exact(16));
-        for (a, b) in before.remainder().iter().zip(after.remainder()) {
-            lanes[0] = least(lanes[0], step(*a, *b));
+        // A comparison in place of `min`, which takes care of NaN: one instruction for all lanes.
+        let min = |a: f32, b: f32| if b < a { b } else { a };
+        let mut lanes = [self.smallest; LANES];
+        let (before, rest_before) = samples[..samples.len() - 1].as_chunks::<LANES>();
+        let (after, rest_after) = samples[1..].as_chunks::<LANES>();
+        for (a, b) in rest_before.iter().zip(rest_after) {
+            lanes[0] = min(lanes[0], step(*a, *b));
         }
-        for (a, b) in before.zip(after) {
+        for (a, b) in before.iter().zip(after) {
             for (lane, (a, b)) in lanes.iter_mut().zip(a.iter().zip(b)) {
-                *lane = least(*lane, step(*a, *b));
+                *lane = min(*lane, step(*a, *b));
             }
         }
-        let smallest = lanes.into_iter().fold(f32::INFINITY, least);
-        self.smallest = least(smallest, step(self.last, *first));
+        let smallest = lanes.into_iter().fold(f32::INFINITY, min);
+        self.smallest = min(smallest, step(self.last, *first));
         self.last = *last;
     }
 
-    /// The most noise that rounding to such steps makes: a sound smaller than a step, or the tail of one,
-    /// toggles the last bit as it comes and goes.
+    /// The largest power that rounding to such steps makes, that of half a step: a sound smaller than a step, or the tail
+    /// of one, toggles the last bit as it comes and goes.
     pub(super) fn power(&self) -> f64 {
         if self.smallest.is_finite() {
             f64::from(self.smallest).powi(2) / 4.0
@@ -169,11 +177,11 @@ mod tests {
     fn quantisation_step_is_the_smallest_change() {
         let mut step = QuantisationStep::new();
         assert!(step.power() < f64::MIN_POSITIVE);
-        step.see(&[0.5, 0.5, 0.25, 0.375, 0.375]);
+        step.measure(&[0.5, 0.5, 0.25, 0.375, 0.375]);
         assert!((step.power() - 0.125f64.powi(2) / 4.0).abs() < f64::EPSILON);
         let mut long = vec![0.5; 100];
         long[63] += 0.01;
-        step.see(&long);
+        step.measure(&long);
         assert!((step.power() - 1e-4 / 4.0).abs() < 1e-8);
     }
 }

@@ -1,11 +1,9 @@
-//! The latest samples of a stream, in pieces that are used again.
+//! The latest samples of a stream, in pieces whose memory is reused.
 
+use super::parameters::PIECE_FRAMES;
 use std::collections::VecDeque;
 use std::ops::Range;
 use std::sync::Arc;
-
-/// Frames in a piece.
-const PIECE_FRAMES: usize = 32;
 
 /// Remembers samples by their number in the stream. A frame lies in one piece. A clone shares the pieces
 /// that are complete.
@@ -16,7 +14,7 @@ pub(crate) struct History {
     pieces: VecDeque<Arc<Vec<f32>>>,
     /// Number of the first sample of the first piece.
     first: u64,
-    /// How many samples there have been.
+    /// Number of samples so far.
     end: u64,
     #[cfg_attr(feature = "serde", serde(skip))]
     spare: Vec<Vec<f32>>,
@@ -33,24 +31,24 @@ impl History {
         }
     }
 
-    /// How many samples there have been.
+    /// Number of samples so far.
     pub(crate) fn end(&self) -> u64 {
         self.end
     }
 
-    /// Takes as many of these samples as fit into the last piece; how many that is.
+    /// Takes as many of these samples as fit into the last piece; returns how many.
     pub(super) fn push(&mut self, samples: &[f32]) -> usize {
         let size = PIECE_FRAMES * self.frame;
         let is_full = |piece: &Arc<Vec<f32>>| piece.len() == size;
         if self.pieces.back().is_none_or(is_full) {
-            let piece = self.spare.pop();
-            let piece = piece.unwrap_or_else(|| Vec::with_capacity(size));
-            self.pieces.push_back(Arc::new(piece));
+            let spare = self.spare.pop();
+            let empty = spare.unwrap_or_else(|| Vec::with_capacity(size));
+            self.pieces.push_back(Arc::new(empty));
         }
-        let Some(piece) = self.pieces.back_mut() else {
+        let Some(last) = self.pieces.back_mut() else {
             return 0;
         };
-        let piece = Arc::make_mut(piece);
+        let piece = Arc::make_mut(last);
         let taken = samples.len().min(size - piece.len());
         piece.extend_from_slice(&samples[..taken]);
         self.end += taken as u64;
@@ -102,7 +100,7 @@ impl Clone for History {
     fn clone(&self) -> Self {
         let mut pieces = self.pieces.clone();
         if let Some(last) = pieces.back_mut() {
-            // Both go on.
+            // Both copies append to their last piece.
             let mut copy = Vec::with_capacity(PIECE_FRAMES * self.frame);
             copy.extend_from_slice(last);
             *last = Arc::new(copy);
@@ -122,7 +120,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_clone_shares_what_is_complete_and_goes_on_by_itself() {
+    fn a_clone_shares_complete_pieces_and_continues_by_itself() {
         let mut history = History::new(4);
         let samples: Vec<f32> = (0..300_u16).map(f32::from).collect();
         let push = |history: &mut History, mut rest: &[f32]| {
@@ -143,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_remembered_is_what_was_heard() {
+    fn the_samples_that_were_pushed_are_remembered() {
         let mut history = History::new(4);
         let samples: Vec<f32> = (0..1000_u16).map(f32::from).collect();
         let mut rest = samples.as_slice();

@@ -1,15 +1,16 @@
 //! Samples to onset candidates, each with a time, its standard error and a strength.
 //!
 //! The detector is adaptive: it has no threshold in volts or decibels. A candidate is a moment at
-//! which the energy of the next few milliseconds stands out of the energy of the last few, in
-//! units of how much noise of that bandwidth fluctuates by chance. Several bands are watched at
-//! once, because a table-tennis ball shows best above 6 kHz, a basketball below 400 Hz. All
-//! filters are causal, so nothing is smeared to before the onset.
+//! which the energy of the next few milliseconds exceeds the energy of the last few by much, in
+//! units of the chance fluctuation of noise of that bandwidth. Several bands are watched at
+//! once, because a table-tennis ball is loudest above 6 kHz, a basketball below 400 Hz. All
+//! filters are causal, so they smear nothing to before the onset.
 //!
 //! The time of a candidate is its *onset*, not its peak: it is picked from the waveform as
 //! seismologists pick the arrival of a wave (`pick`).
 //!
-//! The bar is low on purpose: which candidates are impacts is for [`crate::train`] to judge.
+//! The minimum strength is low on purpose: [`crate::train`] decides which candidates are impacts. All numbers are in
+//! `parameters`.
 //!
 //! ```
 //! use bouncelab::onset::OnsetDetector;
@@ -38,6 +39,7 @@ mod floor;
 mod history;
 mod novelty;
 mod octaves;
+mod parameters;
 mod pick;
 
 pub use bands::BANDS;
@@ -45,10 +47,15 @@ pub(crate) use history::History;
 
 use crate::error::{Error, Result};
 use crate::simd::dispatch;
-use bands::{FRAME_HOPS, FilterBank};
+use bands::FilterBank;
 use decimate::Decimator;
 use floor::QuantisationStep;
 use novelty::{HopEnergies, Novelty};
+use parameters::{
+    CLICK_BAND_LEVEL_DB, CLICK_BAND_NOISE_DB, CLICK_LEVEL_DB, CLICK_SIGMA_S, CLICK_STRENGTH,
+    END_HOPS, FRAME_HOPS, MAX_PRECURSOR_S, MIN_DECIBEL_POWER, MIN_DISTINCT_STRENGTH, MIN_STRENGTH,
+    SPACING_S, STEP_DIVISOR,
+};
 use pick::Picker;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -61,7 +68,7 @@ pub struct Onset {
     pub time_s: f64,
     /// Standard error of the time in seconds.
     pub sigma_s: f64,
-    /// How far the onset stands out of what came before: the root of the sum of squares over the
+    /// How much louder the onset is than what came before: the root of the sum of squares over the
     /// bands of the rise in energy, each in standard deviations of the rises that noise makes.
     pub strength: f64,
     /// Level of the sound that began here, in dB relative to full scale.
@@ -73,7 +80,7 @@ pub struct Onset {
 }
 
 impl Onset {
-    /// A candidate known by its time alone: a click of equal level in all bands, without noise.
+    /// A candidate of which only the time is given: a click of equal level in all bands, without noise.
     ///
     /// ```
     /// use bouncelab::onset::Onset;
@@ -81,28 +88,25 @@ impl Onset {
     ///
     /// // Times read off an oscilloscope: e = 0.9 without air.
     /// let times_s = [0.0, 0.4, 0.76, 1.084, 1.3756, 1.63804, 1.874236];
-    /// let found = train::find(&times_s.map(Onset::click));
-    /// assert_eq!(found.trains[0].impacts().len(), 7);
+    /// let search = train::find(&times_s.map(Onset::click));
+    /// assert_eq!(search.trains[0].impacts().len(), 7);
     /// ```
     pub fn click(time_s: f64) -> Self {
         Self {
             time_s,
-            sigma_s: 1e-4,
-            strength: 30.0,
-            level_db: -20.0,
-            band_levels_db: [-27.0; BANDS],
-            band_noise_db: [-90.0; BANDS],
+            sigma_s: CLICK_SIGMA_S,
+            strength: CLICK_STRENGTH,
+            level_db: CLICK_LEVEL_DB,
+            band_levels_db: [CLICK_BAND_LEVEL_DB; BANDS],
+            band_noise_db: [CLICK_BAND_NOISE_DB; BANDS],
         }
     }
 
-    /// Whether it is hardly noise alone; fainter candidates tell something where they are rare.
+    /// Whether noise alone hardly makes such a candidate. Fainter candidates are informative where they are rare.
     pub(crate) fn stands_out(&self) -> bool {
-        self.strength >= STANDS_OUT
+        self.strength >= MIN_DISTINCT_STRENGTH
     }
 }
-
-/// White noise hardly ever makes a candidate stronger than this.
-const STANDS_OUT: f64 = 2.0;
 
 /// The bands that are watched at this sample rate, low to high, in Hz.
 ///
@@ -115,39 +119,30 @@ pub fn bands_hz(sample_rate_hz: u32) -> Vec<Range<f64>> {
     FilterBank::new(Decimator::of_rate(sample_rate_hz).1).bands_hz()
 }
 
-/// A candidate is the strongest moment this far to both sides.
-const SPACING_S: f64 = 0.006;
-/// A codec lets a sound be heard this long before it begins, in seconds: half a block of MP3 or AAC
-/// at 48 kHz. A microphone close to the surface hears the ball or the hand before the impact.
-const PRECURSOR_S: f64 = 0.010;
-/// The bar for a candidate. White noise reaches it about once a second, other backgrounds more often.
-const BAR: f64 = 1.5;
-/// The steps of the format are sought in one sample of so many.
-const STEP_SHARE: usize = 8;
-
 /// Finds onset candidates in a stream of samples, in constant memory.
 ///
-/// The samples are worked on in frames of some 30 ms, so a candidate comes up to a tenth of a
+/// The samples are processed in frames of some 30 ms, so a candidate comes up to a tenth of a
 /// second late, and does not depend on the blocks in which the samples come. Rates above 96 kHz are
 /// lowered to it first.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct OnsetDetector {
     decimator: Option<Decimator>,
-    /// Samples a second that are left.
+    /// Rate of the samples that are analysed, Hz.
     rate_hz: f64,
+    /// Hops between two candidates, and at most between a precursor and its sound.
     spacing: u64,
     precursor: u64,
     bank: FilterBank,
     energies: HopEnergies,
     step: QuantisationStep,
     picker: Picker,
-    /// The latest moments that reach the bar.
+    /// The latest moments of at least the minimum strength.
     moments: Vec<Novelty>,
     /// Number of the first moment that may still become a candidate.
     open: u64,
     history: History,
-    /// Whether the owner says what may be forgotten.
+    /// Whether the owner decides which samples are forgotten.
     remembers: bool,
     /// Number of the next frame.
     frame: u64,
@@ -163,7 +158,7 @@ impl OnsetDetector {
         Self::with(FilterBank::new(rate_hz), rate_hz, decimator)
     }
 
-    /// A detector that watches only the bands of which at least half lies between these frequencies.
+    /// A detector that uses only the bands of which at least half lies between these frequencies.
     ///
     /// # Errors
     /// [`Error::NoBand`] if there is none.
@@ -190,7 +185,7 @@ impl OnsetDetector {
             decimator,
             rate_hz,
             spacing: novelty::hops(SPACING_S, hop_s) as u64,
-            precursor: novelty::hops(PRECURSOR_S, hop_s) as u64,
+            precursor: novelty::hops(MAX_PRECURSOR_S, hop_s) as u64,
             energies: HopEnergies::new(&bank, hop_s),
             step: QuantisationStep::new(),
             picker: Picker::new(rate_hz),
@@ -205,17 +200,17 @@ impl OnsetDetector {
         }
     }
 
-    /// Whether it forgets no sample by itself.
+    /// Sets whether it keeps every sample until its owner forgets it.
     pub(crate) fn set_remembering(&mut self, remembers: bool) {
         self.remembers = remembers;
     }
 
-    /// Samples a second that are remembered: fewer than come, if they come at a high rate.
+    /// Rate of the samples that are remembered, Hz: lower than that of the sound if that is high.
     pub(crate) fn rate_hz(&self) -> f64 {
         self.rate_hz
     }
 
-    /// Whether every sample is remembered as it comes.
+    /// Whether the samples are remembered at the rate at which they come.
     pub(crate) fn is_plain(&self) -> bool {
         self.decimator.is_none()
     }
@@ -230,7 +225,7 @@ impl OnsetDetector {
         &mut self.history
     }
 
-    /// Takes the next samples and appends the candidates they complete to `onsets`, in order of
+    /// Takes the next samples and appends the candidates that they complete to `onsets`, in order of
     /// time. A sample that is not finite counts as 0.
     ///
     /// ```
@@ -250,7 +245,7 @@ impl OnsetDetector {
         self.push_finite(&finite(samples), onsets);
     }
 
-    /// The same for samples known to be finite.
+    /// The same for finite samples.
     pub(crate) fn push_finite(&mut self, samples: &[f32], onsets: &mut Vec<Onset>) {
         match self.decimator.take() {
             None => self.detect(samples, onsets),
@@ -267,7 +262,7 @@ impl OnsetDetector {
             let taken = self.history.push(rest);
             rest = &rest[taken..];
             while self.history.end() >= (self.frame + 1) * self.bank.frame() as u64 {
-                self.hear_frame();
+                self.process_frame();
                 self.settle(onsets);
                 if !self.remembers {
                     self.forget();
@@ -288,31 +283,36 @@ impl OnsetDetector {
         }
         let end = self.history.end();
         let before = onsets.len();
-        // As if the last value went on: the last moments get their look ahead.
-        let mut last = Vec::new();
-        self.history.read(end.saturating_sub(1)..end, &mut last);
-        let hold = last.first().copied().unwrap_or(0.0);
+        // The last value is repeated, so that the last moments have the samples after them that their evaluation needs.
+        let mut last_sample = Vec::new();
+        self.history
+            .read(end.saturating_sub(1)..end, &mut last_sample);
+        let hold = last_sample.first().copied().unwrap_or(0.0);
         let look_ahead = (self.spacing + self.precursor) as usize;
         let hops = look_ahead + self.energies.look_ahead() + 1 + FRAME_HOPS;
         let length = hops * self.bank.hop + self.bank.delay();
         self.detect(&vec![hold; length], onsets);
-        // Where the sound breaks off is not an onset.
-        let end_s = (end as f64 - 2.0 * self.bank.hop as f64) / self.rate_hz;
-        let last = onsets.partition_point(|o| o.time_s < end_s);
-        onsets.truncate(last.max(before));
+        let end_s = (end as f64 - END_HOPS * self.bank.hop as f64) / self.rate_hz;
+        let kept = onsets.partition_point(|o| o.time_s < end_s);
+        onsets.truncate(kept.max(before));
     }
 
-    fn hear_frame(&mut self) {
+    /// Measures the next frame and appends the moments of at least the minimum strength.
+    fn process_frame(&mut self) {
         let frame = self.history.frame(self.frame);
         self.frame += 1;
         dispatch(
             #[inline(always)]
             || {
-                // A part of each frame shows the steps well enough.
-                self.step.see(&frame[..frame.len() / STEP_SHARE]);
+                // A part of each frame suffices for the steps of the format.
+                self.step.measure(&frame[..frame.len() / STEP_DIVISOR]);
                 let energies = self.bank.energies(frame);
-                self.energies
-                    .push(&energies, self.step.power(), BAR, &mut self.moments);
+                self.energies.push(
+                    &energies,
+                    self.step.power(),
+                    MIN_STRENGTH,
+                    &mut self.moments,
+                );
             },
         );
     }
@@ -320,13 +320,13 @@ impl OnsetDetector {
     /// Makes candidates of the moments that are the strongest nearby.
     fn settle(&mut self, onsets: &mut Vec<Onset>) {
         let look_ahead = self.spacing + self.precursor;
-        let settled = self.energies.judged().saturating_sub(look_ahead);
+        let settled = self.energies.evaluated().saturating_sub(look_ahead);
         let first = self.moments.partition_point(|m| m.hop < self.open);
         let end = self.moments.partition_point(|m| m.hop < settled);
-        for at in first..end {
-            if self.is_strongest(at) {
-                let onset = self.onset(self.moments[at]);
-                // Two peaks may share one onset, as of an impact with a loud echo.
+        for index in first..end {
+            if self.is_strongest(index) {
+                let onset = self.onset(self.moments[index]);
+                // Two peaks may share one onset, such as those of an impact and its loud echo.
                 if onset.time_s > self.last_onset_s + SPACING_S / 2.0 {
                     self.last_onset_s = onset.time_s;
                     onsets.push(onset);
@@ -339,9 +339,9 @@ impl OnsetDetector {
         self.moments.drain(..past);
     }
 
-    /// Whether this moment is the strongest nearby, but for those that only announce another.
-    fn is_strongest(&self, at: usize) -> bool {
-        let (before, rest) = self.moments.split_at(at);
+    /// Whether this moment is no precursor and the strongest nearby; precursors of other sounds do not count.
+    fn is_strongest(&self, index: usize) -> bool {
+        let (before, rest) = self.moments.split_at(index);
         let Some((moment, after)) = rest.split_first() else {
             return false;
         };
@@ -351,34 +351,35 @@ impl OnsetDetector {
             .rev()
             .take_while(|(_, m)| m.hop + self.spacing >= moment.hop)
             .filter(|(_, m)| m.strength >= moment.strength);
-        let mut later = (at + 1..)
+        let mut later = (index + 1..)
             .zip(after)
             .take_while(|(_, m)| m.hop <= moment.hop + self.spacing)
             .filter(|(_, m)| m.strength > moment.strength);
-        !self.is_precursor(at)
-            && earlier.all(|(at, _)| self.is_precursor(at))
-            && later.all(|(at, _)| self.is_precursor(at))
+        !self.is_precursor(index)
+            && earlier.all(|(stronger, _)| self.is_precursor(stronger))
+            && later.all(|(stronger, _)| self.is_precursor(stronger))
     }
 
-    /// Whether a far louder sound begins soon after this moment.
-    fn is_precursor(&self, at: usize) -> bool {
-        let moment = &self.moments[at];
-        let mut soon = self.moments[at + 1..]
+    /// Whether a much louder sound begins soon after this moment.
+    fn is_precursor(&self, index: usize) -> bool {
+        let moment = &self.moments[index];
+        let mut soon = self.moments[index + 1..]
             .iter()
             .take_while(|m| m.hop <= moment.hop + self.precursor);
         soon.any(|later| later.dwarfs(moment))
     }
 
+    /// The candidate of a moment: its time is picked from the waveform.
     fn onset(&mut self, moment: Novelty) -> Onset {
         let delay = self.bank.delay() as u64;
         let rough = (moment.hop * self.bank.hop as u64).saturating_sub(delay);
         let from = rough.saturating_sub(self.picker.history() as u64);
         let to = rough + self.picker.look_ahead() as u64;
         let first = self.history.read(from..to, &mut self.around);
-        let at = (rough - first) as usize;
+        let index = (rough - first) as usize;
         let pick = dispatch(
             #[inline(always)]
-            || self.picker.pick(&self.around, at, self.step.power()),
+            || self.picker.pick(&self.around, index, self.step.power()),
         );
         Onset {
             time_s: ((first + pick.sample as u64) as f64 + pick.after) / self.rate_hz,
@@ -390,7 +391,7 @@ impl OnsetDetector {
         }
     }
 
-    /// Drops the samples that no later candidate needs.
+    /// Forgets the samples that no later candidate needs.
     fn forget(&mut self) {
         let needed = self.open * self.bank.hop as u64;
         let back = (self.picker.history() + self.bank.delay()) as u64;
@@ -401,16 +402,16 @@ impl OnsetDetector {
 /// The same samples; those that are not finite become 0.
 #[inline(always)]
 pub(crate) fn finite(samples: &[f32]) -> Cow<'_, [f32]> {
-    // Nothing of a finite number is 0, of anything else it is NaN. Without early exit, many at a time.
-    let mut sums = [0.0_f32; 16];
-    let (chunks, rest) = samples.as_chunks::<16>();
+    // 0 x is 0 for a finite x and NaN for any other. Without an early exit the loop runs in wide registers.
+    const LANES: usize = 16;
+    let mut sums = [0.0_f32; LANES];
+    let (chunks, rest) = samples.as_chunks::<LANES>();
     for chunk in chunks {
         for (sum, x) in sums.iter_mut().zip(chunk) {
             *sum += 0.0 * x;
         }
     }
-    let wild = sums.iter().any(|sum| sum.is_nan()) || rest.iter().any(|x| !x.is_finite());
-    if wild {
+    if sums.iter().any(|sum| sum.is_nan()) || rest.iter().any(|x| !x.is_finite()) {
         let clean = samples.iter().map(|x| if x.is_finite() { *x } else { 0.0 });
         Cow::Owned(clean.collect())
     } else {
@@ -419,14 +420,14 @@ pub(crate) fn finite(samples: &[f32]) -> Cow<'_, [f32]> {
 }
 
 fn decibels(power: f64) -> f64 {
-    10.0 * power.max(1e-14).log10()
+    10.0 * power.max(MIN_DECIBEL_POWER).log10()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// A second at 48 kHz of noise at -100 dB, louder by so much in the milliseconds before a click
+    /// A second at 48 kHz of noise at -100 dB, louder by this factor in this time before a click
     /// at 0.5 s: pre-echo of a codec.
     fn click_after(pre_echo_s: f64, pre_echo: f32) -> Vec<f32> {
         let mut state = 1_u32;
@@ -456,17 +457,17 @@ mod tests {
 
     /// Pre-echo 40 dB above the noise and 50 dB below the click: nothing begins there.
     #[test]
-    fn an_impact_begins_where_its_sound_does_not_where_a_codec_announces_it() {
+    fn an_impact_begins_where_its_sound_does_not_where_pre_echo_does() {
         let clean = onsets(&click_after(0.0, 1.0));
         assert_eq!(clean.len(), 1, "{clean:?}");
         for pre_echo_s in [0.002, 0.003, 0.005, 0.008] {
-            let heard = onsets(&click_after(pre_echo_s, 100.0));
-            assert_eq!(heard.len(), 1, "{pre_echo_s}: {heard:?}");
+            let detected = onsets(&click_after(pre_echo_s, 100.0));
+            assert_eq!(detected.len(), 1, "{pre_echo_s}: {detected:?}");
             assert!(
-                (heard[0].time_s - 0.5).abs() < 1e-4,
-                "{pre_echo_s}: {heard:?}"
+                (detected[0].time_s - 0.5).abs() < 1e-4,
+                "{pre_echo_s}: {detected:?}"
             );
-            let louder_db = heard[0].level_db - clean[0].level_db;
+            let louder_db = detected[0].level_db - clean[0].level_db;
             assert!(louder_db.abs() < 4.0, "{pre_echo_s}: {louder_db}");
         }
     }

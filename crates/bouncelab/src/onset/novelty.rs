@@ -1,29 +1,15 @@
-//! How far a moment stands out of what came before.
+//! Novelty: how much louder a moment is than what came before.
+//!
+//! In each band the mean energy after a moment is divided by the mean energy before it. For noise the logarithm of this
+//! ratio has a known standard deviation, so a rise is counted in units of it; the strength of a moment is the root of the
+//! sum of squares of the rises of all bands.
 
-use super::bands::{BANDS, FRAME_HOPS, FilterBank, FrameEnergies};
+use super::bands::{BANDS, FilterBank, FrameEnergies};
 use super::floor::Quantile;
-
-/// Seconds after and before a moment that are compared, for each band: a low band needs longer to
-/// gather as many independent values.
-const AFTER_S: [f64; BANDS] = [0.008, 0.004, 0.002, 0.002, 0.002];
-const BEFORE_S: [f64; BANDS] = [0.030, 0.016, 0.012, 0.012, 0.012];
-/// The noise floor is a low quantile of the band energy over this time: the sound between the
-/// impacts, however dense they are.
-const FLOOR_S: f64 = 0.6;
-const FLOOR_QUANTILE: f64 = 0.3;
-/// Each value of the floor is an average over this many hops.
-const FLOOR_HOPS: usize = 4;
-/// A rise counts from this many standard deviations.
-const LEAST_RISE: f64 = 1.0;
-/// Power of digital silence: its square can still be told from 0 in single precision.
-const LEAST_POWER: f64 = 1e-18;
-/// No time counts more hops than this, whatever sample rate a broken file claims.
-const MOST_HOPS: usize = 512;
-/// So many hops of a frame are screened at a time.
-const STRETCH: usize = 16;
-/// The sums of energies start afresh after so many frames, lest a loud past swallows a quiet
-/// present.
-const FRAMES_SUMMED: usize = 8;
+use super::parameters::{
+    AFTER_S, BEFORE_S, FLOOR_HOPS, FLOOR_QUANTILE, FLOOR_S, FRAME_HOPS, FRAMES_SUMMED, MAX_HOPS,
+    MIN_POWER, MIN_PRE_ECHO_RATIO, MIN_RISE, SCREEN_SHARE, SCREENED_HOPS,
+};
 
 /// A moment and what begins there.
 #[derive(Clone, Copy, Debug)]
@@ -40,16 +26,12 @@ pub(super) struct Novelty {
 }
 
 impl Novelty {
-    /// Whether this is so much louder than an earlier moment, in the band that it fills best, that the
-    /// earlier one only announced it.
+    /// Whether this is so much louder than an earlier moment, in any band, that the earlier one is its precursor.
     pub(super) fn dwarfs(&self, earlier: &Self) -> bool {
-        /// Coders keep pre-echo below what an ear hears, 10 dB and more below the sound.
-        const PRE_ECHO_RATIO: f64 = 10.0;
-        let mut rises = (0..BANDS).map(|band| {
-            let heard = earlier.gain[band].max(earlier.before[band]);
-            self.gain[band] > PRE_ECHO_RATIO * heard
-        });
-        rises.any(|rise| rise)
+        (0..BANDS).any(|band| {
+            let earlier_power = earlier.gain[band].max(earlier.before[band]);
+            self.gain[band] > MIN_PRE_ECHO_RATIO * earlier_power
+        })
     }
 }
 
@@ -66,7 +48,7 @@ struct Band {
     /// Share of the power of white noise in this band.
     share: f64,
     floor: Quantile,
-    /// The least that the band holds, noise floor or rounding.
+    /// Minimum power that the band holds: the noise floor or the noise of rounding.
     quiet: f64,
 }
 
@@ -75,21 +57,21 @@ struct Band {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct HopEnergies {
     bands: Vec<Band>,
-    /// Of each band the sums of the energies before each hop.
+    /// For each band the sum of the energies before each hop: the energy of any stretch is a difference of two.
     sums: [Vec<f64>; BANDS],
-    /// Where in them the first hop lies that is remembered.
+    /// Index in them of the first hop that is remembered.
     first: usize,
     /// Hops that are remembered from frame to frame.
     history: usize,
-    /// Hops after a moment that it takes to judge it.
+    /// Hops after a moment that its evaluation needs.
     look_ahead: usize,
     /// Number of the first hop of the next frame.
     next: u64,
 }
 
-/// So many hops make this time, nearly.
+/// The number of hops of a time, at least one.
 pub(super) fn hops(time_s: f64, hop_s: f64) -> usize {
-    ((time_s / hop_s).round() as usize).clamp(1, MOST_HOPS)
+    ((time_s / hop_s).round() as usize).clamp(1, MAX_HOPS)
 }
 
 impl HopEnergies {
@@ -100,7 +82,8 @@ impl HopEnergies {
         let history = look_ahead + before[0];
         let bands = (0..bank.bands)
             .map(|band| {
-                // Noise of bandwidth B has 2 B t degrees of freedom in a time t.
+                // The energy of noise of bandwidth B in a time t is chi-squared with 2 B t degrees of freedom, so that
+                // the logarithm of its mean has the variance 2 / (2 B t); the two sides of a moment are independent.
                 let freedom = 2.0 * bank.width_hz[band] * hop_s;
                 let variance = |hops: usize| 2.0 / (freedom * hops as f64);
                 let chance = (variance(after[band]) + variance(before[band])).sqrt();
@@ -128,24 +111,24 @@ impl HopEnergies {
         }
     }
 
-    /// Hops after a moment that it takes to judge it.
+    /// Hops after a moment that its evaluation needs.
     pub(super) fn look_ahead(&self) -> usize {
         self.look_ahead
     }
 
-    /// Number of the first hop that is not yet judged.
-    pub(super) fn judged(&self) -> u64 {
+    /// Number of the first hop that is not yet evaluated.
+    pub(super) fn evaluated(&self) -> u64 {
         self.next.saturating_sub(self.look_ahead as u64)
     }
 
     /// Takes the energies of the next frame; `noise_power` is that of rounding. Appends the
-    /// moments that can now be judged and are at least as strong as `bar`.
+    /// moments that can now be evaluated and whose strength is at least `min_strength`.
     #[inline(always)]
     pub(super) fn push(
         &mut self,
         energies: &FrameEnergies,
         noise_power: f64,
-        bar: f64,
+        min_strength: f64,
         moments: &mut Vec<Novelty>,
     ) {
         self.add(energies);
@@ -153,50 +136,57 @@ impl HopEnergies {
             band.push(energies, noise_power);
         }
         let first = self.first + self.history - self.look_ahead;
-        // How novel each moment can be at most: the square of its strength.
-        let mut most = [0.0; FRAME_HOPS];
-        // The first moments of a recording have little before them.
+        // First pass: an upper bound of the square of the strength of each moment, without logarithms.
+        let mut bounds = [0.0; FRAME_HOPS];
+        // The first moments of a recording have little before them, so the bound does not hold for them.
         if self.next < self.history as u64 {
-            most.fill(f32::INFINITY);
+            bounds.fill(f32::INFINITY);
         } else {
             for (band, sums) in self.bands.iter().zip(&self.sums) {
-                band.add_most(sums, first, &mut most);
+                band.add_bound(sums, first, &mut bounds);
             }
         }
         // Rounding of the bound must not hide a moment.
-        let screen = (0.99 * bar * bar) as f32;
-        // Most stretches have no such moment; each is asked at once.
-        for (from, most) in (0..).step_by(STRETCH).zip(most.as_chunks::<STRETCH>().0) {
-            if most.iter().map(|m| u8::from(*m >= screen)).max() == Some(1) {
-                self.judge_stretch(from, most, screen, bar, moments);
+        let min_bound = (SCREEN_SHARE * min_strength * min_strength) as f32;
+        // Second pass: nearly all blocks of hops have no such moment, and each is excluded by one comparison of its maximum.
+        let blocks = bounds.as_chunks::<SCREENED_HOPS>().0;
+        for (from, block) in (0..).step_by(SCREENED_HOPS).zip(blocks) {
+            if block
+                .iter()
+                .map(|bound| u8::from(*bound >= min_bound))
+                .max()
+                == Some(1)
+            {
+                self.evaluate_block(from, block, min_bound, min_strength, moments);
             }
         }
         self.next += FRAME_HOPS as u64;
     }
 
-    /// Judges the moments from this one on that may be strong enough.
-    fn judge_stretch(
+    /// Evaluates the moments of a block that may be strong enough; the block begins at this hop of the frame.
+    fn evaluate_block(
         &self,
         from: usize,
-        most: &[f32; STRETCH],
-        screen: f32,
-        bar: f64,
+        bounds: &[f32; SCREENED_HOPS],
+        min_bound: f32,
+        min_strength: f64,
         moments: &mut Vec<Novelty>,
     ) {
         let first = self.first + self.history - self.look_ahead;
-        for (at, &most) in (from..).zip(most) {
-            if most >= screen
-                && let Some(hop) = (self.next + at as u64).checked_sub(self.look_ahead as u64)
+        for (index, &bound) in (from..).zip(bounds) {
+            if bound >= min_bound
+                && let Some(hop) = (self.next + index as u64).checked_sub(self.look_ahead as u64)
             {
-                let moment = self.judge(hop, first + at);
-                if moment.strength >= bar {
+                let moment = self.evaluate(hop, first + index);
+                if moment.strength >= min_strength {
                     moments.push(moment);
                 }
             }
         }
     }
 
-    /// Goes on with the sums; all bands side by side, because each sum waits for the last.
+    /// Continues the sums. All bands side by side: each addition waits for the one before, so one band alone would leave
+    /// the processor idle.
     #[inline(always)]
     fn add(&mut self, energies: &FrameEnergies) {
         self.first += FRAME_HOPS;
@@ -215,7 +205,8 @@ impl HopEnergies {
         }
     }
 
-    /// Moves the sums that are remembered to the front, counted from the first of them on.
+    /// Moves the sums that are remembered to the front and subtracts the first of them: a sum that grew for ever would
+    /// round away a quiet present.
     #[cold]
     fn start_afresh(&mut self) {
         for sums in &mut self.sums {
@@ -228,9 +219,9 @@ impl HopEnergies {
         self.first = 0;
     }
 
-    /// Judges a hop, which lies here in the arrays.
+    /// Evaluates a hop, whose index in the sums is `at`.
     #[inline]
-    fn judge(&self, hop: u64, at: usize) -> Novelty {
+    fn evaluate(&self, hop: u64, at: usize) -> Novelty {
         let mut moment = Novelty {
             hop,
             strength: 0.0,
@@ -241,16 +232,18 @@ impl HopEnergies {
             let sum = |hop: usize| sums[hop];
             let before = (band.before as u64).min(hop) as usize;
             let new = (sum(at + band.after) - sum(at)) / band.after as f64;
-            let old = if before == 0 {
+            let mean_before = if before == 0 {
                 // The first moment of a recording has nothing before it.
                 new
             } else {
                 (sum(at) - sum(at - before)) / before as f64
             };
-            let old = old.max(band.quiet);
+            // Below the noise floor a rise means nothing.
+            let old = mean_before.max(band.quiet);
             moment.before[index] = old;
             moment.gain[index] = (new - old).max(0.0);
-            let rise = (new / old).ln() / band.chance - LEAST_RISE;
+            // In standard deviations of noise, less what noise often makes.
+            let rise = (new / old).ln() / band.chance - MIN_RISE;
             moment.strength += rise.max(0.0).powi(2);
         }
         moment.strength = moment.strength.sqrt();
@@ -261,40 +254,45 @@ impl HopEnergies {
 impl Band {
     #[inline(always)]
     fn push(&mut self, energies: &[f32; FRAME_HOPS], noise_power: f64) {
-        for means in energies.chunks_exact(FLOOR_HOPS) {
-            let mean: f32 = means.iter().sum::<f32>() / FLOOR_HOPS as f32;
+        for hops in energies.chunks_exact(FLOOR_HOPS) {
+            let mean: f32 = hops.iter().sum::<f32>() / FLOOR_HOPS as f32;
             self.floor.push(mean);
         }
         self.quiet = f64::from(self.floor.value())
             .max(noise_power * self.share)
-            .max(LEAST_POWER);
+            .max(MIN_POWER);
     }
 
-    /// Adds how novel this band can make the hops from this one on, at most.
+    /// Adds the square of the largest rise that this band can contribute to the hops from `first` on.
     ///
-    /// For x > 0, ln(1 + x) < x (6 + x) / (6 + 4 x), and hardly less while x is small: so nearly
-    /// all moments need no logarithm.
+    /// For x > 0, ln(1 + x) < x (6 + x) / (6 + 4 x) (the Padé approximant of order 2/1), and hardly less while x is small:
+    /// so nearly all moments need no logarithm.
     #[inline(always)]
-    fn add_most(&self, sums: &[f64], first: usize, most: &mut [f32; FRAME_HOPS]) {
-        let sums = |from: usize| &sums[from..][..FRAME_HOPS];
+    fn add_bound(&self, sums: &[f64], first: usize, bounds: &mut [f32; FRAME_HOPS]) {
+        let sums_from = |from: usize| &sums[from..][..FRAME_HOPS];
         let (now, end, start) = (
-            sums(first),
-            sums(first + self.after),
-            sums(first - self.before),
+            sums_from(first),
+            sums_from(first + self.after),
+            sums_from(first - self.before),
         );
         let (after, before) = (1.0 / self.after as f32, 1.0 / self.before as f32);
         let quiet = self.quiet as f32;
         let chance = (1.0 / self.chance) as f32;
         for at in 0..FRAME_HOPS {
             let new = (end[at] - now[at]) as f32 * after;
-            let old = (now[at] - start[at]) as f32 * before;
-            let old = if old > quiet { old } else { quiet };
+            let mean_before = (now[at] - start[at]) as f32 * before;
+            // Comparisons in place of `max`, which takes care of NaN: one instruction for all lanes.
+            let old = if mean_before > quiet {
+                mean_before
+            } else {
+                quiet
+            };
             let gain = if new > old { new - old } else { 0.0 };
-            // x = gain / old, in one division.
-            let rise = gain * (6.0 * old + gain) / (old * (6.0 * old + 4.0 * gain));
-            let rise = rise * chance - LEAST_RISE as f32;
-            let rise = if rise > 0.0 { rise } else { 0.0 };
-            most[at] += rise * rise;
+            // The approximant with x = gain / old, in one division.
+            let ln_ratio = gain * (6.0 * old + gain) / (old * (6.0 * old + 4.0 * gain));
+            let above = ln_ratio * chance - MIN_RISE as f32;
+            let rise = if above > 0.0 { above } else { 0.0 };
+            bounds[at] += rise * rise;
         }
     }
 }

@@ -4,14 +4,14 @@
 //! goes to the next level at half the rate. The filter is the maximally flat half-band filter of
 //! eleven taps (Lagrange interpolation between six samples): its upper half has six zeros at
 //! frequency 0, so that rumble stays out of it. It needs three multiplications for each sample,
-//! has no recursion, and looks a fraction of a millisecond to both sides; the levels are delayed
-//! so that all say the same of the same moment.
+//! has no recursion, and reaches a fraction of a millisecond to both sides; the levels are delayed
+//! so that the energies of all of them are those of the same moment.
 
 /// Weights of the neighbours at distance 1, 3 and 5.
 const WEIGHTS: [f32; 3] = [150.0 / 512.0, -25.0 / 512.0, 3.0 / 512.0];
 /// Weight of the sample itself.
 const MIDDLE: f32 = 0.5;
-/// How far the filter looks to each side.
+/// Samples of the filter to each side.
 const REACH: usize = 5;
 /// Power of white noise that the upper half of the filter lets through.
 pub(super) const WHITE_SHARE: f64 = 0.4265;
@@ -46,7 +46,7 @@ struct LastLevel {
 }
 
 impl Octaves {
-    /// A tree of `halvings` levels and a last one, for frames of so many samples: a multiple of
+    /// A tree of `halvings` levels and a last one, for frames of `frame` samples, a multiple of
     /// 2^halvings.
     pub(super) fn new(halvings: usize, frame: usize) -> Self {
         let levels = (0..halvings)
@@ -72,12 +72,12 @@ impl Octaves {
         }
     }
 
-    /// By how many samples the squares come late.
+    /// Delay of the squares, in samples.
     pub(super) fn delay(&self) -> usize {
         REACH * ((2 << self.levels.len()) - 1)
     }
 
-    /// As if the sound had always had this value.
+    /// Fills the past with this value.
     pub(super) fn begin(&mut self, value: f32) {
         for level in &mut self.levels {
             level.even.fill(value);
@@ -86,7 +86,7 @@ impl Octaves {
         self.last.samples.fill(value);
     }
 
-    /// Takes the next frame; gives what is left of it after all halvings, less late than the
+    /// Takes the next frame; returns its low frequencies at the lowest rate, which are delayed less than the
     /// squares.
     #[inline(always)]
     pub(super) fn push(&mut self, frame: &[f32]) -> &[f32] {
@@ -109,7 +109,7 @@ impl Octaves {
             (&self.last.squares, 0, 1.0)
         };
         match (squares.len() - delay) / energies.len() {
-            // At 44.1 and 48 kHz: of known length the loops unroll.
+            // At 44.1 and 48 kHz: loops of constant length unroll.
             3 => add_means(squares.as_chunks::<3>().0, scale, energies),
             6 => add_means(squares.as_chunks::<6>().0, scale, energies),
             12 => add_means(squares.as_chunks::<12>().0, scale, energies),
@@ -150,8 +150,8 @@ impl Level {
         self.even.copy_within(length.., 0);
         self.odd.copy_within(length.., 0);
         self.pairs.copy_within(length.., 0);
-        let places = self.even[REACH..].iter_mut().zip(&mut self.odd[REACH..]);
-        for ((even, odd), pair) in places.zip(samples.as_chunks::<2>().0) {
+        let pairs = self.even[REACH..].iter_mut().zip(&mut self.odd[REACH..]);
+        for ((even, odd), pair) in pairs.zip(samples.as_chunks::<2>().0) {
             [*even, *odd] = *pair;
         }
         let (even, odd) = (Taps::new(&self.even), Taps::new(&self.odd));
@@ -169,7 +169,7 @@ impl Level {
     }
 }
 
-/// The same values seen from six places.
+/// The same values from six successive indices on.
 struct Taps<'a> {
     at: [&'a [f32]; 2 * WEIGHTS.len()],
 }
@@ -179,10 +179,11 @@ impl<'a> Taps<'a> {
     fn new(values: &'a [f32]) -> Self {
         let length = values.len() - REACH;
         Self {
-            at: std::array::from_fn(|place| &values[place..][..length]),
+            at: std::array::from_fn(|first| &values[first..][..length]),
         }
     }
 
+    /// The weighted sum of the six neighbours.
     #[inline(always)]
     fn around(&self, j: usize) -> f32 {
         WEIGHTS[0] * (self.at[2][j] + self.at[3][j])
@@ -202,7 +203,7 @@ impl LastLevel {
     #[inline(always)]
     fn square(&mut self) {
         let length = self.squares.len();
-        let at = |place: usize| &self.samples[place..][..length];
+        let at = |first: usize| &self.samples[first..][..length];
         let (a, b, c) = ((at(4), at(6)), (at(2), at(8)), (at(0), at(10)));
         let middle = at(5);
         for (j, square) in self.squares.iter_mut().enumerate() {
@@ -251,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn all_levels_say_the_same_of_the_same_moment() {
+    fn a_click_is_at_the_same_moment_in_all_levels() {
         let mut octaves = Octaves::new(3, FRAME);
         let mut click = vec![0.0; FRAME];
         click[800] = 1.0;

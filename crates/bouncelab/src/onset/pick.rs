@@ -1,34 +1,25 @@
-//! The time at which a sound begins, below a sample.
+//! The time at which a sound begins, to a fraction of a sample.
 //!
-//! The signal is whitened by what came before it, which takes out hum, rumble and the ringing of
+//! The signal is whitened by a prediction learnt before it, which removes hum, rumble and the ringing of
 //! the impact before. An impact is the moment at which the prediction error grows: for a change of variance at sample k of N the negative
 //! logarithm of the likelihood is k/2 ln var(before) + (N - k)/2 ln var(after), the AIC function of
 //! seismology (Maeda 1985; with autoregression, Leonard & Kennett 1999). Its exponential is the
 //! posterior of k: its mean is the time, below a sample, and its width the standard error.
 
+use super::parameters::{
+    LEARN_S, MAX_NATS, MIN_PRECURSOR_RATIO, MIN_PRECURSOR_S, MIN_VARIANCE_SAMPLES, PICK_AFTER_S,
+    PICK_BEFORE_S,
+};
 use crate::whiten::{Autoregression, ORDER};
-
-/// Seconds before the rough time from which the model is learnt.
-const LEARN_S: f64 = 0.020;
-/// Seconds to both sides of the rough time in which the onset is sought.
-const BEFORE_S: f64 = 0.005;
-const AFTER_S: f64 = 0.004;
-/// Where a sound begins so long before it grows by so much in power, in seconds, something announces it:
-/// pre-echo of a codec, the air that the ball pushes, a noise gate that opens.
-const PRECURSOR_S: f64 = 0.001;
-const PRECURSOR_RATIO: f64 = 10.0;
-/// The variance on either side is estimated from at least so many samples.
-const LEAST: usize = 4;
-/// A moment that is less likely than the best by so much does not count.
-const FARTHEST_NATS: f32 = 30.0;
 
 /// A time in samples, and its standard error.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pick {
     /// A sample of the buffer, counted from its start.
     pub(super) sample: usize,
-    /// How far after this sample; apart, lest the place of the buffer in the stream rounds it.
+    /// Samples after it, kept separate so that the number of the sample in a long stream does not round it.
     pub(super) after: f64,
+    /// Standard error in samples.
     pub(super) sigma: f64,
 }
 
@@ -46,34 +37,35 @@ pub(super) struct Picker {
 
 impl Picker {
     pub(super) fn new(sample_rate_hz: f64) -> Self {
-        let samples = |time_s: f64, least: usize| ((time_s * sample_rate_hz) as usize).max(least);
+        let samples = |time_s: f64, min: usize| ((time_s * sample_rate_hz) as usize).max(min);
+        let shortest = 2 * MIN_VARIANCE_SAMPLES;
         Self {
             learn: samples(LEARN_S, 4 * ORDER),
-            before: samples(BEFORE_S, 2 * LEAST),
-            after: samples(AFTER_S, 2 * LEAST),
-            precursor: samples(PRECURSOR_S, 2 * LEAST),
+            before: samples(PICK_BEFORE_S, shortest),
+            after: samples(PICK_AFTER_S, shortest),
+            precursor: samples(MIN_PRECURSOR_S, shortest),
             error_energy: Vec::new(),
             score: Vec::new(),
         }
     }
 
-    /// How many samples before the rough time the picker wants to see.
+    /// Number of samples before the rough time that the picker needs.
     pub(super) fn history(&self) -> usize {
         self.learn + self.before
     }
 
-    /// How many samples from the rough time on the picker wants to see.
+    /// Number of samples from the rough time on that the picker needs.
     pub(super) fn look_ahead(&self) -> usize {
         self.after
     }
 
-    /// The onset near sample `rough`; `noise_power` is the least there can be.
+    /// The onset near sample `rough`; `noise_power` is the minimum power of noise.
     #[inline(always)]
     pub(super) fn pick(&mut self, samples: &[f32], rough: usize, noise_power: f64) -> Pick {
         let end = (rough + self.after).min(samples.len());
         let start = rough.saturating_sub(self.before).max(ORDER);
-        if end < start + 4 * LEAST {
-            // At the very edge of a recording: no more than the rough time is known.
+        if end < start + 4 * MIN_VARIANCE_SAMPLES {
+            // At the very edge of a recording only the rough time is known.
             return Pick {
                 sample: rough,
                 after: 0.0,
@@ -96,22 +88,22 @@ impl Picker {
             return pick;
         }
         let later = self.change_point(start, pick.sample + pick.after as usize - start);
-        if self.announces(start, &pick, &later) {
+        if self.is_precursor(start, &pick, &later) {
             later
         } else {
             pick
         }
     }
 
-    /// Whether one change is so soon followed by so much louder a sound that it only announces it.
-    fn announces(&self, start: usize, change: &Pick, later: &Pick) -> bool {
+    /// Whether the sound from one change to a later one is a precursor of the much louder sound after that.
+    fn is_precursor(&self, start: usize, change: &Pick, later: &Pick) -> bool {
         let end = self.error_energy.len() - 1;
-        let place = |pick: &Pick| (pick.sample + pick.after as usize - start).min(end);
+        let index = |pick: &Pick| (pick.sample + pick.after as usize - start).min(end);
         let power = |from: usize, to: usize| {
             (self.error_energy[to] - self.error_energy[from]) / (to - from).max(1) as f64
         };
-        let (from, to) = (place(change), place(later));
-        to >= from + self.precursor && power(to, end) > PRECURSOR_RATIO * power(from, to)
+        let (from, to) = (index(change), index(later));
+        to >= from + self.precursor && power(to, end) > MIN_PRECURSOR_RATIO * power(from, to)
     }
 
     /// Where the variance changes among the errors from `first` on, the first of which is that of
@@ -122,20 +114,24 @@ impl Picker {
         let n = energy.len() - 1;
         let base = energy[0];
         let total = energy[n] - base;
-        let (start, first) = (start + first, LEAST);
+        let start = start + first;
+        // Of the mean variance, so that single precision suffices for the logarithms; their common constant cancels.
         let mean_energy = total / n as f64;
         let variance = |energy: f64, count: f32| (energy / mean_energy) as f32 / count;
         self.score.clear();
-        self.score.extend((first..=n - LEAST).map(|k| {
+        // The AIC function for a change after k of n samples.
+        let candidates = MIN_VARIANCE_SAMPLES..=n - MIN_VARIANCE_SAMPLES;
+        self.score.extend(candidates.map(|k| {
             let before = energy[k] - base;
             let (a, b) = (k as f32, (n - k) as f32);
             0.5 * (a * ln(variance(before, a)) + b * ln(variance(total - before, b)))
         }));
+        // Mean and variance of the posterior of k, which is the exponential of the negative score.
         let best = self.score.iter().copied().fold(f32::INFINITY, f32::min);
         let (mut weight, mut mean, mut square) = (0.0, 0.0, 0.0);
         for (k, score) in self.score.iter().enumerate() {
             let nats = best - score;
-            if nats > -FARTHEST_NATS {
+            if nats > -MAX_NATS {
                 let w = f64::from(nats.exp());
                 weight += w;
                 mean += w * k as f64;
@@ -143,25 +139,25 @@ impl Picker {
             }
         }
         mean /= weight;
-        // No pick is better than the rounding to whole samples.
+        // No pick is better than rounding to whole samples, whose variance is 1/12.
         let variance = (square / weight - mean * mean).max(1.0 / 12.0);
         Pick {
-            sample: start + first,
+            sample: start + MIN_VARIANCE_SAMPLES,
             after: mean,
             sigma: variance.sqrt(),
         }
     }
 }
 
-/// The natural logarithm of a positive number to six digits, in plain arithmetic, so that many are
-/// taken side by side: the exponent, and the series of the inverse hyperbolic tangent for the rest.
+/// The natural logarithm of a positive number to six digits, in plain arithmetic, which the compiler runs in wide
+/// registers. With x = 2^k m, ln x = k ln 2 + 2 artanh((m - 1)/(m + 1)), by its series.
 #[inline(always)]
 fn ln(x: f32) -> f32 {
-    /// The rest lies between the roots of 1/2 and 2.
-    const LEAST_REST: u32 = std::f32::consts::FRAC_1_SQRT_2.to_bits();
-    let exponent = x.to_bits().wrapping_sub(LEAST_REST).cast_signed() >> 23;
-    let rest = f32::from_bits(x.to_bits().wrapping_sub((exponent << 23).cast_unsigned()));
-    let t = (rest - 1.0) / (rest + 1.0);
+    /// The mantissa lies between the square roots of 1/2 and 2.
+    const MIN_MANTISSA: u32 = std::f32::consts::FRAC_1_SQRT_2.to_bits();
+    let exponent = x.to_bits().wrapping_sub(MIN_MANTISSA).cast_signed() >> 23;
+    let mantissa = f32::from_bits(x.to_bits().wrapping_sub((exponent << 23).cast_unsigned()));
+    let t = (mantissa - 1.0) / (mantissa + 1.0);
     let t2 = t * t;
     let series = 1.0 + t2 * (1.0 / 3.0 + t2 * (1.0 / 5.0 + t2 * (1.0 / 7.0)));
     exponent as f32 * std::f32::consts::LN_2 + 2.0 * t * series
