@@ -1,26 +1,26 @@
 //! Order statistics, moments and the logistic function.
 
-/// The values from the least to the greatest.
+/// The values in increasing order.
 pub(crate) fn sorted(values: impl IntoIterator<Item = f64>) -> Vec<f64> {
     let mut sorted: Vec<f64> = values.into_iter().collect();
     sorted.sort_unstable_by(f64::total_cmp);
     sorted
 }
 
-/// Sorts by a number, the least first; what has the same number stays in its order.
+/// Sorts by a number in increasing order; items with the same number keep their order.
 ///
-/// Only numbers are sorted, with their places: sorting each type of its own takes 4 kB of a page.
+/// Only numbers are sorted, with their indices: a sort for each type of item would add 4 kB to the page.
 pub(crate) fn sort_by_number<T>(items: &mut [T], number: impl Fn(&T) -> f64) {
-    let mut places = in_order(items.iter().map(number).zip(0..).collect());
+    let mut order = in_order(items.iter().map(number).zip(0..).collect());
     for to in 0..items.len() {
-        // What was there before has been swapped away, once or more. Where to is remembered, so that the search does not
-        // grow with the list.
-        let mut from = places[to].1;
+        // An item whose index is below `to` has been swapped away, once or more. The swaps are recorded in `order`, so that
+        // following them stays short in a long list.
+        let mut from = order[to].1;
         while from < to {
-            from = places[from].1;
+            from = order[from].1;
         }
         items.swap(to, from);
-        places[to].1 = from;
+        order[to].1 = from;
     }
 }
 
@@ -30,24 +30,24 @@ fn in_order(mut numbers: Vec<(f64, usize)>) -> Vec<(f64, usize)> {
     numbers
 }
 
-/// The value below which a share of sorted values lies, between neighbours in proportion: the i-th of
-/// n stands for the share (i - 1/2)/n. `None` without values.
+/// The value below which a share of sorted values lies, interpolated linearly between neighbours: the i-th of
+/// n stands for the share (i - 1/2)/n (Hyndman and Fan 1996, type 5). `None` without values.
 pub(crate) fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
     let last = sorted.len().checked_sub(1)?;
-    let (low, beyond) = place(sorted.len(), share);
+    let (low, fraction) = rank(sorted.len(), share);
     let high = (low + 1).min(last);
-    Some(sorted[low] + beyond * (sorted[high] - sorted[low]))
+    Some(sorted[low] + fraction * (sorted[high] - sorted[low]))
 }
 
-/// Where among so many sorted values, one at least, the quantile of a share lies: after this one, by this part of
-/// the way to the next.
-fn place(count: usize, share: f64) -> (usize, f64) {
-    let place = (share * count as f64 - 0.5).clamp(0.0, (count - 1) as f64);
-    (place as usize, place.fract())
+/// The index of the sorted value at or below the quantile of a share, and the fraction of the distance from there to the
+/// next value. `count` is at least one.
+fn rank(count: usize, share: f64) -> (usize, f64) {
+    let rank = (share * count as f64 - 0.5).clamp(0.0, (count - 1) as f64);
+    (rank as usize, rank.fract())
 }
 
-/// The same of values in any order; puts the values into another order. `None` without values. A few quantiles take
-/// less than sorting does, but more code, of which a page should have little.
+/// The quantiles of values in any order; changes their order. `None` without values. For a few quantiles this is faster
+/// than sorting all values, but the code is larger, so the page sorts.
 pub(crate) fn quantiles<const N: usize>(values: &mut [f64], shares: [f64; N]) -> Option<[f64; N]> {
     if values.is_empty() {
         return None;
@@ -56,34 +56,35 @@ pub(crate) fn quantiles<const N: usize>(values: &mut [f64], shares: [f64; N]) ->
         values.sort_unstable_by(f64::total_cmp);
         return Some(shares.map(|share| quantile(values, share).unwrap_or(f64::NAN)));
     }
-    let ends = sort_into_classes(values);
-    let class_of = |rank: usize| ends.partition_point(|&end| end <= rank);
+    let ends = sort_into_buckets(values);
+    let bucket_of = |index: usize| ends.partition_point(|&end| end <= index);
     Some(shares.map(|share| {
-        let (low, beyond) = place(values.len(), share);
+        let (low, fraction) = rank(values.len(), share);
         let high = (low + 1).min(values.len() - 1);
-        let from = class_of(low).checked_sub(1).map_or(0, |below| ends[below]);
-        values[from..ends[class_of(high)]].sort_unstable_by(f64::total_cmp);
-        values[low] + beyond * (values[high] - values[low])
+        // Only the buckets of these two values are sorted.
+        let from = bucket_of(low).checked_sub(1).map_or(0, |below| ends[below]);
+        values[from..ends[bucket_of(high)]].sort_unstable_by(f64::total_cmp);
+        values[low] + fraction * (values[high] - values[low])
     }))
 }
 
-/// So many classes that one of a thousand values has a few.
-const CLASSES: usize = 256;
+/// Number of buckets: about four values per bucket for 1,000.
+const BUCKETS: usize = 256;
 
-/// Sorts values into classes of equal width, and says where each ends.
-fn sort_into_classes(values: &mut [f64]) -> [usize; CLASSES] {
-    let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+/// Sorts values into buckets of equal width (a counting sort); returns the end of each bucket.
+fn sort_into_buckets(values: &mut [f64]) -> [usize; BUCKETS] {
+    let (mut min, mut max) = (f64::INFINITY, f64::NEG_INFINITY);
     for &value in &*values {
-        least = if value < least { value } else { least };
-        greatest = if value > greatest { value } else { greatest };
+        min = if value < min { value } else { min };
+        max = if value > max { value } else { max };
     }
-    let classes = (CLASSES - 1) as f64 / (greatest - least);
-    // Of values that are all alike the product is not a number, which counts as zero.
-    let class = |&value: &f64| (value, ((value - least) * classes) as u8);
-    let unsorted: Vec<(f64, u8)> = values.iter().map(class).collect();
-    let mut ends = [0; CLASSES];
-    for (_, class) in &unsorted {
-        ends[usize::from(*class)] += 1;
+    let per_unit = (BUCKETS - 1) as f64 / (max - min);
+    // If all values are equal the product is not a number, which becomes bucket zero.
+    let bucket = |&value: &f64| (value, ((value - min) * per_unit) as u8);
+    let unsorted: Vec<(f64, u8)> = values.iter().map(bucket).collect();
+    let mut ends = [0; BUCKETS];
+    for (_, bucket) in &unsorted {
+        ends[usize::from(*bucket)] += 1;
     }
     let mut end = 0;
     for count in &mut ends {
@@ -91,10 +92,10 @@ fn sort_into_classes(values: &mut [f64]) -> [usize; CLASSES] {
         *count = end;
     }
     let mut free = ends;
-    for (value, class) in unsorted {
-        let place = &mut free[usize::from(class)];
-        *place -= 1;
-        values[*place] = value;
+    for (value, bucket) in unsorted {
+        let index = &mut free[usize::from(bucket)];
+        *index -= 1;
+        values[*index] = value;
     }
     ends
 }
@@ -104,12 +105,12 @@ pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
     quantile(&sorted(values), 0.5)
 }
 
-/// The standard deviation of a normal distribution with this median absolute deviation from its
-/// middle. `None` without values.
-pub(crate) fn robust_sd(off: impl IntoIterator<Item = f64>) -> Option<f64> {
+/// The standard deviation of a normal distribution whose deviations from its median have this median size. `None` without
+/// values.
+pub(crate) fn robust_sd(deviations: impl IntoIterator<Item = f64>) -> Option<f64> {
     /// The median absolute deviation of the standard normal distribution.
     const MEDIAN_DEVIATION: f64 = 0.674_489_75;
-    Some(median(off.into_iter().map(f64::abs))? / MEDIAN_DEVIATION)
+    Some(median(deviations.into_iter().map(f64::abs))? / MEDIAN_DEVIATION)
 }
 
 /// The mean; not a number without values.
@@ -117,7 +118,7 @@ pub(crate) fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
-/// The standard deviation of values that are all there are; not a number without any.
+/// The standard deviation of a whole population; not a number without values.
 pub(crate) fn sd(values: &[f64]) -> f64 {
     let mean = mean(values);
     let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
@@ -144,9 +145,9 @@ mod tests {
         let mut number = 1_u32;
         for count in 0..40 {
             let mut items: Vec<(u32, usize)> = (0..count)
-                .map(|place| {
+                .map(|index| {
                     number = number.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                    (number >> 28, place)
+                    (number >> 28, index)
                 })
                 .collect();
             let mut expected = items.clone();
