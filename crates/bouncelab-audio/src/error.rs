@@ -1,6 +1,7 @@
 use std::fmt;
 use std::io;
 
+use crate::formats::SoundFormat;
 use crate::problem::{LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};
 
 /// What can go wrong between a file and its samples or times.
@@ -42,10 +43,10 @@ pub enum Error {
         what: MissingContent,
     },
 
-    /// The content is none of the known sound formats, whatever the name of the file says.
+    /// The content is in none of the formats of [`SoundFormat`], whatever the name of the file says.
     #[error(
-        "{name}: not a sound file: it looks like {looks_like}; \
-         known are WAV, AIFF, CAF, FLAC, MP3, AAC, Ogg, WebM, Matroska, MP4, M4A and MOV"
+        "{name}: not a sound file: it looks like {looks_like}; the formats that are read are {}",
+        SoundFormat::names()
     )]
     NotSound {
         /// The file as the caller named it.

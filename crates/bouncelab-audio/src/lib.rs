@@ -6,17 +6,8 @@
 //! [`copy_with_cues`] a copy of a recording with its impacts marked, a [`Recorder`]
 //! one that is still going on. With the feature `microphone`, `microphone::Microphone` listens.
 //!
-//! | format | codecs |
-//! |---|---|
-//! | WAV, AIFF, CAF | 8, 16, 24 and 32 bit integers, 32 and 64 bit float, A-law, mu-law |
-//! | FLAC, also in Ogg and Matroska | FLAC |
-//! | MP3 | MPEG layer 3 |
-//! | MP4, M4A, MOV, with or without video | AAC-LC, ALAC, Opus, MP3, FLAC, integers and float |
-//! | Ogg | Vorbis, Opus |
-//! | Matroska and `.webm`, with or without video | Opus, Vorbis, AAC-LC, MP3, FLAC |
-//! | ADTS (`.aac`) | AAC-LC |
-//!
-//! Not read: HE-AAC, surround Opus, ADPCM, AC-3, WMA; the error says so and how to convert.
+//! [`SoundFormat`] lists the formats and the codecs that are decoded in each, such as AAC in M4A and Opus in `WebM`.
+//! Not decoded are HE-AAC, surround Opus, ADPCM, AC-3 and WMA; the error states the codec and how to convert the file.
 //!
 //! What a program needs to know of a damaged recording is in [`Source::warnings`]; what makes it
 //! useless is an [`Error`]. No content of a file, however broken, makes this crate panic.
@@ -32,6 +23,7 @@
 mod contain;
 mod cues;
 mod error;
+mod formats;
 mod input;
 mod lost_chunk;
 #[cfg(feature = "microphone")]
@@ -50,6 +42,7 @@ pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 pub use contain::{contain, silence_contained_panics};
 pub use cues::{Cue, copy_with_cues};
 pub use error::{Error, Result};
+pub use formats::SoundFormat;
 pub use input::Input;
 pub use problem::{LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};
 pub use recorder::{Recorder, Store};

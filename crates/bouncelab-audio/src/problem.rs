@@ -5,6 +5,8 @@ use std::fmt;
 
 use serde::Serialize;
 
+use crate::times;
+
 /// What a file that is empty lacks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -137,7 +139,10 @@ pub enum LayoutProblem {
 #[serde(tag = "code", rename_all = "kebab-case")]
 pub enum TimesProblem {
     /// The name has none of the endings of lists.
-    #[error("not a list of times: the name ends in none of .txt, .csv, .json, .TextGrid")]
+    #[error(
+        "not a list of times: the name ends in none of .{}",
+        times::endings().collect::<Vec<_>>().join(", .")
+    )]
     Ending,
     /// It is a device or a pipe.
     #[error("not a file; save the list in one")]

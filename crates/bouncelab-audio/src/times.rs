@@ -135,6 +135,7 @@ fn first_line(text: &str) -> &str {
     lines.find(has_content).unwrap_or_default()
 }
 
+#[derive(Clone, Copy)]
 enum Format {
     Txt,
     Csv,
@@ -142,16 +143,24 @@ enum Format {
     TextGrid,
 }
 
+/// The formats, by the endings of file names.
+const FORMATS: [(&str, Format); 4] = [
+    ("txt", Format::Txt),
+    ("csv", Format::Csv),
+    ("json", Format::Json),
+    ("TextGrid", Format::TextGrid),
+];
+
+/// Endings of the names of lists, without the dot; capital letters in a name count as small ones.
+pub fn endings() -> impl Iterator<Item = &'static str> {
+    FORMATS.iter().map(|(ending, _)| *ending)
+}
+
 impl Format {
     fn of(name: &str) -> Option<Self> {
         let extension = Path::new(name).extension()?.to_str()?;
-        match extension.to_ascii_lowercase().as_str() {
-            "txt" => Some(Self::Txt),
-            "csv" => Some(Self::Csv),
-            "json" => Some(Self::Json),
-            "textgrid" => Some(Self::TextGrid),
-            _ => None,
-        }
+        let is_same = |(ending, _): &&(&str, Self)| ending.eq_ignore_ascii_case(extension);
+        FORMATS.iter().find(is_same).map(|(_, format)| *format)
     }
 }
 

@@ -6,9 +6,10 @@
 
 mod clicks;
 
+use std::fs;
 use std::path::PathBuf;
 
-use bouncelab_audio::{Source, Warning};
+use bouncelab_audio::{SoundFormat, Source, Warning};
 use clicks::{TIMES_S, click, signal};
 
 fn fixture(name: &str) -> PathBuf {
@@ -215,5 +216,70 @@ fn what_is_not_a_number_becomes_zero_and_is_counted() {
             samples: 3,
             first_s: 0.125
         }]
+    );
+}
+
+/// Codecs as `Source::format` names them, and as the list of formats does.
+const CODECS: [(&str, &str); 3] = [
+    ("-bit float", "floating point"),
+    ("-bit", "integers"),
+    ("AAC", "AAC-LC"),
+];
+
+/// A file of `WebM` with the header of Matroska (RFC 9559), where nothing but the type of the document differs.
+fn matroska(webm: &[u8]) -> Vec<u8> {
+    let doc_type = [0x42, 0x82, 0x80 | 4, b'w', b'e', b'b', b'm'];
+    let place = webm.windows(7).position(|bytes| bytes == doc_type).unwrap();
+    let (before, after) = (&webm[..place], &webm[place + doc_type.len()..]);
+    let mut file = [before, &[0x42, 0x82, 0x80 | 8], b"matroska", after].concat();
+    // The length of the header, in one byte behind its name of four.
+    assert_eq!(file[4] & 0x80, 0x80);
+    file[4] += 4;
+    file
+}
+
+/// Every fixture that can be decoded is in a codec that is listed for its format, and every format has a fixture.
+#[test]
+fn the_list_of_formats_is_what_is_decoded() {
+    let files = fs::read_dir(fixture("")).unwrap();
+    let mut sources: Vec<Source> = files
+        .filter_map(|file| Source::open(file.unwrap().path()).ok())
+        .collect();
+    let matroska = matroska(&fs::read(fixture("opus.webm")).unwrap());
+    sources.push(Source::from_bytes(matroska, "opus.mkv").unwrap());
+    for format in SoundFormat::ALL {
+        let name = format.name();
+        let descriptions = sources.iter().map(Source::format);
+        let own: Vec<String> = descriptions
+            .filter(|description| description.ends_with(name))
+            .collect();
+        assert!(!own.is_empty(), "no fixture is {name}");
+        for description in own {
+            let codec = CODECS.iter().find(|(part, _)| description.contains(part));
+            let codec = codec.map_or(&*description, |(_, listed)| listed);
+            let is_decoded = |listed: &&str| listed.starts_with(codec) || codec.starts_with(listed);
+            assert!(format.codecs().iter().any(is_decoded), "{description}");
+        }
+    }
+}
+
+#[test]
+fn the_documents_have_the_list_of_formats() {
+    let page = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs/formats.md");
+    let page = fs::read_to_string(page).unwrap();
+    let row = |format: SoundFormat| {
+        let endings = format.endings().iter().map(|ending| format!("`.{ending}`"));
+        let endings: Vec<String> = endings.collect();
+        let codecs = format.codecs().join(", ");
+        format!(
+            "| {} | {} | {codecs} |\n",
+            format.name(),
+            endings.join(", ")
+        )
+    };
+    let table: String = SoundFormat::ALL.into_iter().map(row).collect();
+    assert!(
+        page.contains(&table),
+        "docs/formats.md lacks this table:\n{table}"
     );
 }

@@ -9,13 +9,14 @@ use arrow_array::{Array, ArrayRef, ListArray, RecordBatch, StringArray, StructAr
 use arrow_buffer::{NullBuffer, OffsetBuffer};
 use arrow_schema::{DataType, Field, Fields, Schema};
 use bouncelab::setup::Settings;
+use bouncelab_audio::SoundFormat;
 use bouncelab_report::groups::Question;
 use bouncelab_session::batch::{
     Batch, Failure as RowFailure, FailureCode, Given, Kernel as OneByOne, KernelOptions, Row,
     RowTables,
 };
 use bouncelab_session::table::{Form, Table as Rows};
-use bouncelab_session::{ENDINGS, Error, Outcome, StudyOptions, write_tables};
+use bouncelab_session::{Error, Outcome, StudyOptions, write_tables};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use serde::Deserialize;
@@ -185,7 +186,7 @@ fn lists(mut all: Rows, tables: Vec<Rows>) -> Result<ArrayRef> {
 /// Endings of the names of recordings.
 #[pyfunction]
 pub(crate) fn endings() -> Vec<&'static str> {
-    ENDINGS.to_vec()
+    SoundFormat::endings_of_all().collect()
 }
 
 /// What is asked of results.

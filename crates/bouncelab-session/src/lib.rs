@@ -53,7 +53,7 @@ pub use name::name;
 pub use notes::{Note, Notes};
 pub use pattern::Pattern;
 pub use record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord, RECORD, Record};
-pub use recordings::{ENDINGS, OddNames, Recording, SESSION_FILE, Session, Sources};
+pub use recordings::{OddNames, Recording, SESSION_FILE, Session, Sources};
 pub use report::report;
 pub use results::{Results, Store};
 pub use study::{Outcome, SessionDrop, StudyOptions};

@@ -6,7 +6,7 @@ use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 use bouncelab::{Options, Plain};
-use bouncelab_audio::Input;
+use bouncelab_audio::{Input, SoundFormat};
 use bouncelab_report::groups::some_of;
 use bouncelab_report::messages::Translator;
 
@@ -20,12 +20,6 @@ use crate::record::Record;
 
 /// What a session file is called when only its folder is named.
 pub const SESSION_FILE: &str = "session.toml";
-
-/// Endings of recordings that are looked for in folders; a recording that is named may have any.
-pub const ENDINGS: [&str; 17] = [
-    "aac", "aif", "aifc", "aiff", "caf", "flac", "m4a", "mka", "mkv", "mov", "mp3", "mp4", "oga",
-    "ogg", "opus", "wav", "webm",
-];
 
 /// Where to look.
 #[derive(Debug, Clone, Default)]
@@ -384,9 +378,12 @@ impl Found {
     }
 }
 
+/// Whether a file of a folder or an archive has the name of a recording; one that is named itself may have any.
 fn is_recording(path: &Path) -> bool {
     let ending = path.extension().and_then(|ending| ending.to_str());
-    ending.is_some_and(|ending| ENDINGS.contains(&ending.to_lowercase().as_str()))
+    ending.is_some_and(|ending| {
+        SoundFormat::endings_of_all().any(|known| known.eq_ignore_ascii_case(ending))
+    })
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ use std::collections::{BTreeMap, HashSet};
 use bouncelab::Recording;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Gap};
 use bouncelab::diagnostic::Argument;
+use bouncelab_audio::{SoundFormat, times};
 use bouncelab_report::Chart;
 use bouncelab_report::document::simulation;
 use bouncelab_report::link::LinkedDrop;
@@ -88,7 +89,15 @@ fn declarations() -> String {
     let certain = format!(
         "\n/** An impact below this probability counts as uncertain. */\nexport const CONFIDENT_PROBABILITY = {CONFIDENT_PROBABILITY};\n"
     );
-    [HEAD, &declarations, &certain]
+    let endings: Vec<&str> = SoundFormat::endings_of_all()
+        .chain(times::endings())
+        .collect();
+    let formats = format!(
+        "\n/** Names of the sound formats. */\nexport const SOUND_FORMATS = '{}';\n\
+         \n/** Endings of the names of recordings and of lists of times. */\nexport const ENDINGS = {endings:?};\n",
+        SoundFormat::names()
+    );
+    [HEAD, &declarations, &certain, &formats]
         .concat()
         .replace("/**\n * ", "/** ")
         .replace("\n */\n", " */\n")

@@ -1,4 +1,5 @@
 import type { ComponentChildren } from 'preact';
+import { SOUND_FORMATS } from '../lab/engine/types.ts';
 import type { Fault } from '../state/faults.ts';
 import { text } from '../text/language.ts';
 import { reasonText } from '../text/reason.ts';
@@ -18,7 +19,7 @@ export function FaultNotice({ fault, children }: Props) {
         {fault.about !== undefined && <span class="soft">{fault.about}: </span>}
         <strong>{text(`page-faults-${fault.key}-what`)}</strong>
       </p>
-      <p>{text(`page-faults-${fault.key}-do`)}</p>
+      <p>{text(`page-faults-${fault.key}-do`, { formats: SOUND_FORMATS })}</p>
       {reason !== undefined && <p class="small soft">{reason}</p>}
       {fault.detail !== undefined && (
         <p class="small soft" lang="en">

@@ -5,7 +5,7 @@ use symphonia::core::formats::Track as TrackInfo;
 use symphonia::core::packet::Packet;
 
 use super::codec::Layout;
-use super::container::Container;
+use crate::formats::SoundFormat;
 
 /// Sound that is missing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,9 +67,9 @@ const LONGEST_S: f64 = 600.0;
 const LATE_START_S: f64 = 1.0;
 
 impl Clock {
-    pub(super) fn of(container: Container, params: &AudioCodecParameters) -> Self {
+    pub(super) fn of(container: SoundFormat, params: &AudioCodecParameters) -> Self {
         // A frame of FLAC says which sample it begins with, and the first one with sample 0.
-        let is_exact = container == Container::Flac;
+        let is_exact = container == SoundFormat::Flac;
         Self {
             due_s: is_exact.then_some(0.0),
             is_first: true,
@@ -136,7 +136,7 @@ mod tests {
             sample_rate_hz: 48_000,
             channels: 1,
         };
-        let mut clock = Clock::of(Container::WebM, &AudioCodecParameters::new());
+        let mut clock = Clock::of(SoundFormat::WebM, &AudioCodecParameters::new());
         move |time_ms: i64| {
             let packet = Packet::new(1, time_ms.into(), Duration::new(20), Vec::new());
             let lost = clock.lost_before(&info, &packet, false);

@@ -3,7 +3,7 @@
 mod alac;
 mod blank;
 mod codec;
-mod container;
+mod content;
 mod edits;
 mod framing;
 mod input;
@@ -11,7 +11,7 @@ mod lost;
 mod opus;
 mod presentation;
 mod track;
-mod wave;
+pub(crate) mod wave;
 
 use std::fmt;
 use std::fs::{self, File};
@@ -25,12 +25,13 @@ use bouncelab::analysis::Gap;
 
 use self::blank::Blanks;
 use self::codec::{Layout, MAX_CHANNELS};
-use self::container::{Container, Content};
+use self::content::Content;
 use self::input::Input;
 use self::lost::Lost;
 use self::presentation::Presentation;
 use self::track::{Next, Step, Track};
 use crate::error::{Error, Result};
+use crate::formats::SoundFormat;
 use crate::lost_chunk;
 use crate::problem::{LayoutProblem, MissingContent, Stage};
 use crate::warning::Warning;
@@ -198,7 +199,7 @@ impl Source {
     {
         let fail = |reason| Error::io(name, reason);
         let mut reader = Input::new(reader).map_err(fail)?;
-        let container = match container::identify(&mut reader).map_err(fail)? {
+        let container = match content::identify(&mut reader).map_err(fail)? {
             Content::Sound(container) => container,
             Content::Other(looks_like) => {
                 return Err(Error::NotSound {
@@ -215,7 +216,7 @@ impl Source {
         };
         reader.set_stream(container.is_stream());
         let mut header = wave::Header::default();
-        if container == Container::Wav {
+        if container == SoundFormat::Wav {
             let start = reader.stream_position().map_err(fail)?;
             header = wave::header(&mut reader).map_err(fail)?;
             match header.mended.take() {

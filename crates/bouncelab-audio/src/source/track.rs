@@ -14,17 +14,17 @@ use symphonia::core::packet::Packet;
 use symphonia::core::units::{Duration, TimeBase};
 
 use super::codec::{self, Decoder, Layout, MAX_PACKET_FRAMES, Refusal};
-use super::container::Container;
 use super::edits::{self, Edit};
 use super::framing::{Framing, Missing};
 use super::lost::{Clock, Lost};
 use super::presentation::Presentation;
 use crate::contain::{contain_decoder, is_panic};
 use crate::error::{Error, Result};
+use crate::formats::SoundFormat;
 use crate::problem::{MissingContent, Stage};
 
 pub(super) struct Track {
-    container: Container,
+    container: SoundFormat,
     reader: Box<dyn FormatReader>,
     info: TrackInfo,
     params: AudioCodecParameters,
@@ -83,7 +83,7 @@ impl Track {
     /// Opens a container and chooses its track: the default one among those that can be decoded,
     /// else the first of them.
     pub(super) fn open(
-        container: Container,
+        container: SoundFormat,
         mut source: Box<dyn MediaSource>,
         mut framing: Framing,
         name: &str,
@@ -170,7 +170,7 @@ impl Track {
             return itunes.clone();
         }
         // The tag of an MP3 file gives both ends, and so does the packet table of a CAF file.
-        let has_ends = self.params.codec == CODEC_ID_MP3 || self.container == Container::Caf;
+        let has_ends = self.params.codec == CODEC_ID_MP3 || self.container == SoundFormat::Caf;
         match (self.info.delay, self.info.num_frames) {
             (Some(delay), Some(frames)) if has_ends => {
                 let delay = u64::from(delay);
@@ -188,8 +188,8 @@ impl Track {
         let media = self.reader.media_info();
         let frames = match self.container {
             // Counted in presented time.
-            Container::Mpeg | Container::Adts => self.info.num_frames,
-            Container::WebM | Container::Matroska => {
+            SoundFormat::Mp3 | SoundFormat::Aac => self.info.num_frames,
+            SoundFormat::WebM | SoundFormat::Matroska => {
                 frames_lasting(layout, media.time_base, media.duration)
             }
             // Counted in decoded time.
@@ -200,10 +200,10 @@ impl Track {
                 .map(|decoded| presented.count(decoded)),
         };
         let tolerance_s = match self.container {
-            Container::Mpeg => self.info.delay.map(|_| ROUGH_S),
-            Container::Adts => None,
-            Container::Wav | Container::Aiff | Container::Flac => Some(0.0),
-            Container::Caf => Some(self.packet_s()),
+            SoundFormat::Mp3 => self.info.delay.map(|_| ROUGH_S),
+            SoundFormat::Aac => None,
+            SoundFormat::Wav | SoundFormat::Aiff | SoundFormat::Flac => Some(0.0),
+            SoundFormat::Caf => Some(self.packet_s()),
             _ => Some(ROUGH_S),
         };
         // A file written as a stream announces nothing, which some readers turn into zero.
@@ -351,7 +351,7 @@ impl Track {
 
     /// The last page of an Ogg file is marked, and tells the length.
     fn ends(&self) -> Pulled {
-        if self.container == Container::Ogg && self.info.num_frames.is_none() {
+        if self.container == SoundFormat::Ogg && self.info.num_frames.is_none() {
             Pulled::Broken
         } else {
             Pulled::End
@@ -437,7 +437,7 @@ fn frames_lasting(
 }
 
 fn open_reader(
-    container: Container,
+    container: SoundFormat,
     source: Box<dyn MediaSource>,
     name: &str,
 ) -> Result<Box<dyn FormatReader>> {
@@ -471,7 +471,7 @@ fn parse_itunes_gapless(text: &str) -> Option<Presentation> {
 /// The best track that can be decoded, with its decoder.
 fn choose(
     tracks: &[TrackInfo],
-    container: Container,
+    container: SoundFormat,
     name: &str,
 ) -> Result<(TrackInfo, AudioCodecParameters, Decoder)> {
     let mut audio: Vec<_> = tracks
@@ -505,7 +505,7 @@ fn choose(
     })
 }
 
-fn malformed(container: Container, name: &str, stage: Stage, detail: String) -> Error {
+fn malformed(container: SoundFormat, name: &str, stage: Stage, detail: String) -> Error {
     Error::Malformed {
         name: name.to_owned(),
         format: container.name(),

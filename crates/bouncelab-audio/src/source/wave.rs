@@ -22,7 +22,7 @@ const UNKNOWN: u32 = u32::MAX;
 const W64_FILE: &[u8; 16] = b"riff\x2e\x91\xcf\x11\xa5\xd6\x28\xdb\x04\xc1\x00\x00";
 
 /// Whether the first bytes are those of a WAV or one of its relatives.
-pub(super) fn is_wave(head: &[u8]) -> bool {
+pub(crate) fn is_wave(head: &[u8]) -> bool {
     let is_long = head.starts_with(W64_FILE) && head.get(24..28) == Some(b"wave");
     let has_marker = [b"RIFF", b"RF64", b"BW64"]
         .iter()

@@ -23,6 +23,7 @@ use bouncelab::Plain;
 use bouncelab::analysis::{DetectionOptions, Edits};
 use bouncelab::diagnostic::Code;
 use bouncelab::setup::Setup;
+use bouncelab_audio::SoundFormat;
 use bouncelab_report::csv::guarded;
 use bouncelab_report::document::{Document, FailedDocument, labels, rows, tracker};
 use clap::{Args, ValueEnum};
@@ -39,14 +40,8 @@ use crate::terminal::{
 use crate::units;
 
 /// Detect and analyse the drops in recordings, or in lists of impact times
-///
-/// Reads WAV, AIFF, CAF, FLAC, MP3, AAC, Ogg, Opus, WebM, M4A, MP4 and MOV, and impact times in seconds
-/// as .txt (one per line), .csv (one per line, or a column `time` or `time_s`) or .json (an array), a label track
-/// of Audacity (.txt) or a `TextGrid` of Praat. A
-/// sampled waveform as .csv or .txt (times at equal distances, and a column for each channel) is sound.
-/// Exit status: 0 if every file has a drop, 1 if a file has none or cannot be read, 2 for wrong usage.
 #[derive(Args)]
-#[command(after_help = EXAMPLES)]
+#[command(long_about = about(), after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     /// Recordings, or lists of impact times
     #[arg(required = true, value_name = "FILE")]
@@ -94,6 +89,18 @@ pub(crate) struct Arguments {
     physics: PhysicsArguments,
     #[command(flatten)]
     priors: PriorArguments,
+}
+
+/// The long description, with the formats that are read.
+fn about() -> String {
+    format!(
+        "Detect and analyse the drops in recordings, or in lists of impact times\n\n\
+         Reads sound ({}) and impact times in seconds: .txt (one per line), .csv (one per line, or a column \
+         `time` or `time_s`), .json (an array), a label track of Audacity (.txt) or a TextGrid of Praat. A \
+         sampled waveform as .csv or .txt (times at equal distances, and a column for each channel) is sound. \
+         Exit status: 0 if every file has a drop, 1 if a file has none or cannot be read, 2 for wrong usage.",
+        SoundFormat::names()
+    )
 }
 
 const EXAMPLES: &str = "\

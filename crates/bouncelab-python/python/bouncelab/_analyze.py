@@ -91,8 +91,8 @@ def analyze(
     Parameters
     ----------
     source : path, bytes, binary file or numpy.ndarray
-        A recording (WAV, AIFF, FLAC, MP3, AAC, Ogg, Opus, WebM, M4A, MP4, MOV), or a list of impact times
-        (``.txt``, ``.csv``, ``.json``); or samples of shape ``(frames,)`` or ``(frames, channels)``, full
+        A recording, such as WAV, MP3 or M4A, or a list of impact times, such as ``.txt`` or ``.csv`` (the page
+        Formats of the documents lists all); or samples of shape ``(frames,)`` or ``(frames, channels)``, full
         scale being 1 for floating point and the whole range for integers. Contiguous ``float32`` is read
         in place.
     sample_rate_hz : float, optional

@@ -128,7 +128,7 @@ page-faults-empty-what = Die Datei ist leer.
 page-faults-empty-do = Es wurde nichts hineingeschrieben. Endete die Aufnahme, bevor sie begann? Nimm neu auf oder wähle eine andere Datei.
 
 page-faults-unsupported-file-what = Das ist weder eine Aufnahme noch eine Liste von Zeiten.
-page-faults-unsupported-file-do = Ton: WAV, AIFF, FLAC, MP3, Ogg, Opus, WebM, M4A, MP4, MOV. Listen: eine Zeit in Sekunden je Zeile.
+page-faults-unsupported-file-do = Ton: { $formats }. Listen: eine Zeit in Sekunden je Zeile.
 
 page-faults-damaged-what = Die Datei ist beschädigt.
 page-faults-damaged-do = Kopiere oder lade sie neu. Eine Datei, an der das Handy noch schreibt, ist noch nicht lesbar.

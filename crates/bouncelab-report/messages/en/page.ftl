@@ -130,7 +130,7 @@ page-faults-empty-what = The file is empty.
 page-faults-empty-do = Nothing was written into it. Was the recording stopped before it began? Record again or choose another file.
 
 page-faults-unsupported-file-what = This is neither a recording nor a list of times.
-page-faults-unsupported-file-do = Sounds: WAV, AIFF, FLAC, MP3, Ogg, Opus, WebM, M4A, MP4, MOV. Lists: one time in seconds on each line.
+page-faults-unsupported-file-do = Sounds: { $formats }. Lists: one time in seconds on each line.
 
 page-faults-damaged-what = The file is damaged.
 page-faults-damaged-do = Copy or download it again. A file that a phone still writes cannot be read yet.

@@ -131,7 +131,7 @@ page-faults-empty-what = El archivo está vacío.
 page-faults-empty-do = No se escribió nada en él. ¿Se paró la grabación antes de empezar? Grabe otra vez o elija otro archivo.
 
 page-faults-unsupported-file-what = Esto no es ni una grabación ni una lista de tiempos.
-page-faults-unsupported-file-do = Sonidos: WAV, AIFF, FLAC, MP3, Ogg, Opus, WebM, M4A, MP4, MOV. Listas: un tiempo en segundos por línea.
+page-faults-unsupported-file-do = Sonidos: { $formats }. Listas: un tiempo en segundos por línea.
 
 page-faults-damaged-what = El archivo está dañado.
 page-faults-damaged-do = Cópielo o descárguelo otra vez. Un archivo que un teléfono aún está escribiendo no se puede leer todavía.

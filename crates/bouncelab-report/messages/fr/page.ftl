@@ -131,7 +131,7 @@ page-faults-empty-what = Le fichier est vide.
 page-faults-empty-do = Rien n’y a été écrit. L’enregistrement a-t-il été arrêté avant de commencer ? Enregistrez à nouveau ou choisissez un autre fichier.
 
 page-faults-unsupported-file-what = Ce n’est ni un enregistrement ni une liste de temps.
-page-faults-unsupported-file-do = Sons : WAV, AIFF, FLAC, MP3, Ogg, Opus, WebM, M4A, MP4, MOV. Listes : un temps en secondes par ligne.
+page-faults-unsupported-file-do = Sons : { $formats }. Listes : un temps en secondes par ligne.
 
 page-faults-damaged-what = Le fichier est endommagé.
 page-faults-damaged-do = Copiez-le ou téléchargez-le à nouveau. Un fichier qu’un téléphone écrit encore ne peut pas être lu.

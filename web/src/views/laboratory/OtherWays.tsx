@@ -1,8 +1,12 @@
 import { FileButton } from '../../app/FileButton.tsx';
+import { ENDINGS } from '../../lab/engine/types.ts';
 import { openDemo, openFile } from '../../state/opening.ts';
 import { busy } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 import { PASTE, pasting } from './pasting.ts';
+
+/** Telephones go by the kind of a file, other systems by the ending of its name. */
+const ACCEPT = ['audio/*', 'video/*', ...ENDINGS.map((ending) => `.${ending}`)].join();
 
 /** A file, a list of times, the demo: three quiet links. */
 export function OtherWays() {
@@ -10,7 +14,7 @@ export function OtherWays() {
     <div class="links">
       <FileButton
         label={text('page-lab-open-label')}
-        accept="audio/*,video/*,.txt,.csv,.json,.TextGrid,.wav,.flac,.aiff,.caf,.m4a,.ogg,.opus,.webm,.mov,.mp4"
+        accept={ACCEPT}
         disabled={busy.value}
         onFiles={([file]) => {
           if (file) void openFile(file);

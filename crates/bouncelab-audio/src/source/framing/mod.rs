@@ -11,7 +11,7 @@ mod ogg;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;
 
-use super::container::Container;
+use crate::formats::SoundFormat;
 
 /// More damage than this is no recording.
 const MOST_BREAKS: usize = 1_000;
@@ -51,21 +51,22 @@ pub(super) enum Missing {
 
 /// Looks through a file of which the container begins here; `None` if it is damaged all over.
 pub(super) fn survey<S: Read + Seek>(
-    container: Container,
+    container: SoundFormat,
     source: &mut S,
 ) -> io::Result<Option<Framing>> {
     let start = source.stream_position()?;
     let mut window = Window::new(source)?;
     let framing = match container {
-        Container::Mpeg => mpeg::survey(&mut window, start, mpeg::mp3_frame)?,
-        Container::Adts => mpeg::survey(&mut window, start, mpeg::adts_frame)?,
-        Container::Ogg => match ogg::survey(&mut window, start)? {
+        SoundFormat::Mp3 => mpeg::survey(&mut window, start, mpeg::mp3_frame)?,
+        SoundFormat::Aac => mpeg::survey(&mut window, start, mpeg::adts_frame)?,
+        SoundFormat::Ogg => match ogg::survey(&mut window, start)? {
             Some(framing) => framing,
             None => return Ok(None),
         },
-        Container::WebM | Container::Matroska => nested::matroska(&mut window, start)?,
-        Container::Mp4 | Container::M4a | Container::Mov => nested::mp4(&mut window, start)?,
-        Container::Wav | Container::Aiff | Container::Caf | Container::Flac => Framing::default(),
+        SoundFormat::WebM | SoundFormat::Matroska => nested::matroska(&mut window, start)?,
+        SoundFormat::Mp4 | SoundFormat::M4a | SoundFormat::Mov => nested::mp4(&mut window, start)?,
+        // The demuxers of the others notice what is missing: by sizes, checksums and numbers of frames.
+        _ => Framing::default(),
     };
     source.seek(SeekFrom::Start(start))?;
     Ok((framing.breaks.len() < MOST_BREAKS).then_some(framing))

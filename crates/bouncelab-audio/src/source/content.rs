@@ -1,0 +1,90 @@
+//! What a file is, from its first bytes.
+
+use std::io::{self, Read, Seek, SeekFrom};
+
+use crate::formats::SoundFormat;
+use crate::problem::LooksLike;
+
+/// What a file is according to its first bytes.
+pub(super) enum Content {
+    Sound(SoundFormat),
+    Other(LooksLike),
+    Nothing,
+}
+
+/// How many bytes are looked at. If all of them are printable, the file is text.
+const HEAD_LEN: usize = 512;
+
+/// Recognises the content and leaves the source at the first byte of the container, after any ID3
+/// tag. The name of the file is not used: people rename files, and recorders misname them.
+pub(super) fn identify<S: Read + Seek + ?Sized>(source: &mut S) -> io::Result<Content> {
+    let mut start = 0;
+    loop {
+        source.seek(SeekFrom::Start(start))?;
+        let head = read_head(source)?;
+        if let Some(len) = id3_len(&head) {
+            start += len;
+            continue;
+        }
+        source.seek(SeekFrom::Start(start))?;
+        return Ok(match SoundFormat::recognise(&head) {
+            Some(format) => Content::Sound(format),
+            // Programs that write tags pad them: zeros follow a tag as often as the first frame does.
+            None if start > 0 => Content::Sound(SoundFormat::Mp3),
+            None if head.is_empty() => Content::Nothing,
+            None => Content::Other(looks_like(&head)),
+        });
+    }
+}
+
+fn read_head<S: Read + ?Sized>(source: &mut S) -> io::Result<Vec<u8>> {
+    let mut head = Vec::with_capacity(HEAD_LEN);
+    source.take(HEAD_LEN as u64).read_to_end(&mut head)?;
+    Ok(head)
+}
+
+/// The length of the ID3 tag that starts here, with its header and footer.
+fn id3_len(head: &[u8]) -> Option<u64> {
+    let tag = head
+        .first_chunk::<10>()
+        .filter(|tag| tag.starts_with(b"ID3"))?;
+    let size = tag[6..]
+        .iter()
+        .fold(0, |size, byte| size << 7 | u64::from(byte & 0x7f));
+    let footer = if tag[5] & 0x10 == 0 { 0 } else { 10 };
+    Some(10 + size + footer)
+}
+
+/// A guess at what a file is that is not sound, for the message.
+fn looks_like(head: &[u8]) -> LooksLike {
+    const KNOWN: [(&[u8], LooksLike); 7] = [
+        (b"\x89PNG", LooksLike::Png),
+        (b"\xff\xd8\xff", LooksLike::Jpeg),
+        (b"GIF8", LooksLike::Gif),
+        (b"%PDF", LooksLike::Pdf),
+        (b"PK\x03\x04", LooksLike::Zip),
+        (b"\x1f\x8b", LooksLike::Gzip),
+        (b"RIFF", LooksLike::Riff),
+    ];
+    if let Some((_, what)) = KNOWN.iter().find(|(magic, _)| head.starts_with(magic)) {
+        return *what;
+    }
+    if head.iter().all(|&byte| byte == 0) {
+        return LooksLike::Zeros;
+    }
+    if is_text(head) {
+        LooksLike::Text
+    } else {
+        LooksLike::Unknown
+    }
+}
+
+/// Whether these bytes are text: no control characters, and UTF-8 up to a cut at the end.
+fn is_text(head: &[u8]) -> bool {
+    let printable = |byte: &u8| matches!(byte, b'\t' | b'\n' | b'\r') || *byte >= b' ';
+    head.iter().all(printable)
+        && match std::str::from_utf8(head) {
+            Ok(_) => true,
+            Err(fault) => fault.error_len().is_none(),
+        }
+}
