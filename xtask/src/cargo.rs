@@ -86,6 +86,19 @@ pub(crate) fn run_example(package: &str, example: &str, words: &[String]) -> Res
     run(cargo(run_it).args(words))
 }
 
+/// Runs a measuring program of the project with these arguments.
+pub(crate) fn run_measuring_program(name: &str, arguments: &[String]) -> Result {
+    let run_it = [
+        "run",
+        "--release",
+        "--package",
+        "bouncelab-bench",
+        "--",
+        name,
+    ];
+    run(cargo(run_it).args(arguments))
+}
+
 /// Whether cargo knows this subcommand.
 pub(crate) fn has(subcommand: &str) -> bool {
     let mut command = cargo([subcommand, "--version"]);

@@ -48,7 +48,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 12] = [
+const CHORES: [Chore; 13] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -108,6 +108,12 @@ const CHORES: [Chore; 12] = [
         arguments: "[FORMAT] [quick]",
         about: damage::ABOUT,
         run: damage::run,
+    },
+    Chore {
+        name: "net",
+        arguments: "[drops=1000] [sounds=FOLDER]... [out=FILE] [compare=FILE] [store=FILE]",
+        about: "Every number of simulated drops and of sounds, or how they differ from those of an earlier run",
+        run: |arguments| cargo::run_measuring_program("net", arguments),
     },
     Chore {
         name: "fuzz",
