@@ -1,7 +1,7 @@
 //! Real recordings: impacts found, drops counted, nothing where nothing is.
 //!
 //! They are not part of the project. `BOUNCELAB_RECORDINGS` names a folder with them and a
-//! `truth.json` of impact times.
+//! `truth.json` of impact times. The scores of those in the table of `docs/trust.md` are those of the table.
 
 use std::path::Path;
 
@@ -20,7 +20,7 @@ fn drops_in_real_recordings_are_found_and_none_is_invented() {
     let folder = recordings();
     let truth = std::fs::read(folder.join("truth.json")).expect("truth.json in the folder");
     let truth: Value = serde_json::from_slice(&truth).unwrap();
-    let (mut scores, mut counted_right, mut with_drops) = (Vec::new(), 0, 0);
+    let mut scores = Vec::new();
     for (name, recording) in truth["recordings"].as_object().unwrap() {
         let found = drops(&folder.join(name));
         let expected = recording["drops"].as_array().unwrap();
@@ -32,22 +32,49 @@ fn drops_in_real_recordings_are_found_and_none_is_invented() {
             );
             continue;
         }
-        let score = f1(&found.concat(), expected);
-        eprintln!(
-            "{name}: {} drops of {}, F1 {score:.3}",
-            found.len(),
-            expected.len()
-        );
-        with_drops += 1;
-        counted_right += usize::from(found.len() == expected.len());
-        scores.push(score);
+        scores.push(Score::of(name, &found, expected));
     }
-    let mean = scores.iter().sum::<f64>() / scores.len() as f64;
+    let mean = mean(&scores, |score| score.f1);
     assert!(mean >= 0.93, "mean F1 {mean:.3}");
+    let counted_right = scores.iter().filter(|score| score.found == score.drops);
+    let counted_right = counted_right.count();
     assert!(
-        counted_right + 1 >= with_drops,
+        counted_right + 1 >= scores.len(),
         "drops counted right in {counted_right}"
     );
+    is_in_the_documents(&scores);
+}
+
+/// The rows of the recordings that `docs/trust.md` names, and that of their means, where all are at hand.
+fn is_in_the_documents(scores: &[Score]) {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/trust.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    let (_, section) = page.split_once("\n## Real recordings\n").unwrap();
+    let (section, _) = section.split_once("\n## ").unwrap();
+    let rows: Vec<&str> = section
+        .lines()
+        .filter(|line| line.starts_with("| `"))
+        .collect();
+    let listed: Vec<&Score> = scores
+        .iter()
+        .filter(|score| section.contains(&format!("| `{}` |", score.name)))
+        .collect();
+    for score in &listed {
+        assert!(rows.contains(&score.row().as_str()), "{}", score.row());
+    }
+    if listed.len() == rows.len() {
+        let means = [
+            |score: &&Score| score.f1,
+            |score: &&Score| score.late_counted,
+        ];
+        let [f1, late_counted] = means.map(|of| mean(&listed, of));
+        let row = format!("| mean | | | | {f1:.3} | {late_counted:.3} |");
+        assert!(section.lines().any(|line| line == row), "{row}");
+    }
+}
+
+fn mean<T>(scores: &[T], of: impl Fn(&T) -> f64) -> f64 {
+    scores.iter().map(of).sum::<f64>() / scores.len() as f64
 }
 
 /// A recorder that started late: the drop from 1.50 m is missing its first impacts. The students
@@ -96,30 +123,74 @@ fn list<T>(values: &Value, of: impl Fn(&Value) -> T) -> Vec<T> {
     values.as_array().into_iter().flatten().map(of).collect()
 }
 
-/// Harmonic mean of precision and recall over a whole recording.
-fn f1(found: &[f64], drops: &[Value]) -> f64 {
-    let numbers = |values: &Value| list(values, |v| v.as_f64().unwrap());
-    let mut unmatched = found.to_vec();
-    let mut matched = 0;
-    let mut expected = 0;
-    for drop in drops {
-        for time_s in numbers(&drop["impacts_s"]) {
-            expected += 1;
+/// How well the drops of a recording are found.
+struct Score {
+    name: String,
+    /// Drops that it holds, and that are found.
+    drops: usize,
+    found: usize,
+    /// Impacts that the truth lists, and that are reported.
+    listed: usize,
+    reported: usize,
+    /// Harmonic mean of precision and recall, without the impacts after the last one listed.
+    f1: f64,
+    /// The same where these are counted as false.
+    late_counted: f64,
+}
+
+impl Score {
+    fn of(name: &str, found: &[Vec<f64>], drops: &[Value]) -> Self {
+        let numbers = |values: &Value| list(values, |v| v.as_f64().unwrap());
+        let listed: Vec<f64> = drops
+            .iter()
+            .flat_map(|drop| numbers(&drop["impacts_s"]))
+            .collect();
+        let mut unmatched = found.concat();
+        let reported = unmatched.len();
+        let mut matched = 0;
+        for time_s in &listed {
             let near = |found: &f64| (found - time_s).abs() <= TOLERANCE_S;
             if let Some(index) = unmatched.iter().position(near) {
                 unmatched.remove(index);
                 matched += 1;
             }
         }
+        for drop in drops {
+            let optional = numbers(&drop["optional_s"]);
+            unmatched.retain(|found| !optional.iter().any(|time_s| (found - time_s).abs() <= 0.02));
+        }
+        let with_late = unmatched.len();
+        for drop in drops {
+            let end_s = numbers(&drop["impacts_s"]).last().copied().unwrap();
+            unmatched.retain(|&found| found <= end_s || found > end_s + FADING_S);
+        }
+        let f1 = |false_ones: usize| {
+            let precision = f64::from(matched) / (f64::from(matched) + false_ones as f64);
+            let recall = f64::from(matched) / listed.len() as f64;
+            2.0 * precision * recall / (precision + recall)
+        };
+        Self {
+            name: name.to_owned(),
+            drops: drops.len(),
+            found: found.len(),
+            listed: listed.len(),
+            reported,
+            f1: f1(unmatched.len()),
+            late_counted: f1(with_late),
+        }
     }
-    for drop in drops {
-        let end_s = numbers(&drop["impacts_s"]).last().copied().unwrap();
-        let optional = numbers(&drop["optional_s"]);
-        let fading = |found: f64| found > end_s && found <= end_s + FADING_S;
-        let is_optional = |found: f64| optional.iter().any(|time_s| (found - time_s).abs() <= 0.02);
-        unmatched.retain(|&found| !fading(found) && !is_optional(found));
+
+    /// Its row in the table of `docs/trust.md`.
+    fn row(&self) -> String {
+        format!(
+            "| `{}` | {} of {} | {} | {} | {:.3} | {:.3} |",
+            self.name,
+            self.found,
+            self.drops,
+            self.listed,
+            self.reported,
+            self.f1,
+            self.late_counted
+        )
     }
-    let precision = f64::from(matched) / (f64::from(matched) + unmatched.len() as f64);
-    let recall = f64::from(matched) / f64::from(expected);
-    2.0 * precision * recall / (precision + recall)
 }

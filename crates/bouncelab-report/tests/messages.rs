@@ -125,10 +125,38 @@ fn every_diagnostic_has_a_sentence_with_no_other_arguments_than_its_own() {
     }
 }
 
-/// The page of all codes lists each once, with its severity.
+/// The English sentences of the diagnostics, with `…` in the place of each argument.
+fn sentences() -> BTreeMap<String, String> {
+    let file = root().join("crates/bouncelab-report/messages/en/diagnostics.ftl");
+    let parsed: Resource<String> = parser::parse(fs::read_to_string(file).unwrap()).unwrap();
+    let sentences = parsed.body.into_iter().filter_map(|entry| match entry {
+        Entry::Message(message) => Some((message.id.name, printed(&message.value.unwrap()))),
+        _ => None,
+    });
+    sentences.collect()
+}
+
+/// A message as it is printed: of variants the default one.
+fn printed(pattern: &Pattern<String>) -> String {
+    let parts = pattern.elements.iter().map(|element| match element {
+        PatternElement::TextElement { value } => value.replace('\n', " "),
+        PatternElement::Placeable { expression } => match expression {
+            Expression::Inline(InlineExpression::StringLiteral { value }) => value.clone(),
+            Expression::Inline(_) => "…".to_owned(),
+            Expression::Select { variants, .. } => {
+                let default = variants.iter().find(|variant| variant.default);
+                printed(&default.unwrap().value)
+            }
+        },
+    });
+    parts.collect()
+}
+
+/// The page of all codes lists each once, with its severity and the sentence that is printed.
 #[test]
 fn every_diagnostic_is_documented() {
     let page = fs::read_to_string(root().join("docs/diagnostics.md")).unwrap();
+    let sentences = sentences();
     let rows: Vec<Vec<&str>> = page
         .lines()
         .filter(|line| line.starts_with("| `"))
@@ -140,6 +168,7 @@ fn every_diagnostic_is_documented() {
     for (row, code) in rows.iter().zip(Code::ALL) {
         let severity = format!("{:?}", code.severity()).to_lowercase();
         assert_eq!(row[1], severity, "{code}");
+        assert_eq!(row[2], sentences[&format!("diagnostic-{code}")].trim());
         assert!(
             row.len() == 4 && row.iter().all(|cell| !cell.is_empty()),
             "{code}"

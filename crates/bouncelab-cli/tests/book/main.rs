@@ -32,7 +32,7 @@ use Elsewhere::{Check, Never};
 const MEASURED: Elsewhere = Check("measurements");
 
 /// How the commands begin that run elsewhere or nowhere. The first that fits holds.
-const ELSEWHERE: [(&str, Elsewhere); 26] = [
+const ELSEWHERE: [(&str, Elsewhere); 25] = [
     ("bouncelab listen --devices", Check("card")),
     ("bouncelab listen --ball tennis --save", Check("card")),
     ("bouncelab session --from", Check("cluster")),
@@ -51,7 +51,6 @@ const ELSEWHERE: [(&str, Elsewhere); 26] = [
     ("cargo xtask detection", MEASURED),
     ("cargo xtask laboratory /tmp/laboratory 10000", MEASURED),
     ("cargo xtask laboratory target/laboratory 240", MEASURED),
-    ("cargo xtask test ", Never("it runs this test")),
     ("cargo xtask wheel", Check("python")),
     ("chromium --headless ", Check("e2e")),
     ("pip install target/wheels/", Check("python")),
@@ -473,6 +472,16 @@ fn the_commands_of_the_readme_run() {
     for block in readme().blocks().iter().filter(|it| it.language == "sh") {
         commands(&block.code).for_each(|command| drop(scene.run(&command)));
     }
+}
+
+#[test]
+fn the_readme_counts_the_rules_that_are_built_in() {
+    let scene = Scene(TempDir::new().unwrap());
+    let list = scene.run("bouncelab rules list");
+    // Below the heading and a line.
+    let count = list.lines().count() - 2;
+    let words = format!("by {count} rules of sports");
+    assert!(readme().text.contains(&words), "README.md: {words}");
 }
 
 #[test]

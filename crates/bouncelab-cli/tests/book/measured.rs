@@ -1,6 +1,6 @@
 //! The figures of what takes minutes or hours to measure are those of the tables that the measuring commands printed.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
@@ -9,29 +9,34 @@ use bouncelab_report::figure::{self, Curve, Detection, RankHistogram};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::theme::Meaning;
 
-use super::{Page, docs, made};
+use super::{Page, docs, made, readme};
 
 fn is_made(name: &str, chart: &Chart) {
     let path = Path::new("images").join(name).with_extension("svg");
     made(&path, chart.svg().as_bytes());
 }
 
-/// The tables are in the page, as `cargo xtask detection timing` and `benchmarks/compare.py` print them.
+/// A table of `docs/tables`, as a measuring command printed it: its heading, a line, and its rows.
+fn table(name: &str) -> String {
+    let file = Path::new("tables").join(name).with_extension("txt");
+    fs::read_to_string(docs().join(&file)).unwrap_or_else(|reason| panic!("{name}: {reason}"))
+}
+
+/// The rows of a table or of a part of a page.
+fn rows(text: &str) -> Vec<Vec<&str>> {
+    let lines = text.lines().filter(|line| line.starts_with('|'));
+    lines.map(cells).collect()
+}
+
+/// The tables are those of `cargo xtask detection timing` and `benchmarks/compare.py`.
 #[test]
 fn figures_of_detection_are_those_of_its_tables() {
-    let page = Page::read("listening.md".into());
-    let table = |heading: &str| {
-        let from = page.text.find(heading);
-        let from = from.unwrap_or_else(|| panic!("no table {heading}"));
-        let lines = page.text[from..].lines();
-        let lines = lines.take_while(|line| line.starts_with('|'));
-        lines.map(cells).collect::<Vec<_>>()
-    };
-    let timing = table("| ball | noise | flights |");
+    let [timing, late_by, found_by] = ["timing", "late", "detectors"].map(table);
+    let timing = rows(&timing);
     let bounds = [("the bound:", 1.0), ("the goal: at most", 2.0)];
     let shares = [("the goal: from", 60.0), ("to", 76.0)];
-    let lateness = late(&table("| ball | level | late |"));
-    let found = detectors(&table("| ball and noise | bouncelab |"));
+    let lateness = late(&rows(&late_by));
+    let found = detectors(&rows(&found_by));
     for (name, what, curves) in [
         ("timing", Detection::Timing, balls(&timing, 4, &bounds)),
         ("stated", Detection::Stated, balls(&timing, 5, &shares)),
@@ -58,6 +63,99 @@ fn the_figure_of_calibration_is_that_of_its_table() {
     let histograms: Vec<RankHistogram> = histograms.collect();
     let chart = figure::calibration(&histograms, &Translator::english());
     is_made("calibration", &chart);
+}
+
+/// The row of a page that begins so, without its first cell.
+fn row<'a>(page: &'a Page, start: &str) -> Vec<&'a str> {
+    let line = page.text.lines().find(|line| line.starts_with(start));
+    let line = line.unwrap_or_else(|| panic!("{}: no row {start}", page.path.display()));
+    cells(line).split_off(1)
+}
+
+/// Of one scenario and each quantity the percentages of the intervals of 68 and of 95 % that hold the truth.
+fn coverage<'a>(table: &'a str, scenario: &str) -> Vec<[&'a str; 2]> {
+    let rows = rows(table).into_iter().filter(|row| row[0] == scenario);
+    rows.map(|row| [row[3], row[4]]).collect()
+}
+
+/// What pages repeat of the tables that were measured, and of each other, is the same everywhere.
+#[test]
+fn summaries_have_the_numbers_of_the_tables() {
+    let page = |name: &str| Page::read(name.into());
+    let (trust, inference) = (page("trust.md"), page("validation.md"));
+    let (detection, reliability) = (page("listening.md"), page("reliability.md"));
+
+    for name in ["calibration", "worlds"] {
+        let table = table(name);
+        let scenarios: BTreeSet<&str> = rows(&table)[2..].iter().map(|row| row[0]).collect();
+        for scenario in scenarios {
+            let coverage = coverage(&table, scenario);
+            let pairs: Vec<String> = coverage.iter().map(|both| both.join(", ")).collect();
+            let of_95: Vec<&str> = coverage.iter().map(|both| both[1]).collect();
+            let start = format!("| {scenario} | {}", pairs[0]);
+            assert_eq!(row(&inference, &start)[..pairs.len()], pairs);
+            let start = format!("| {scenario} |");
+            assert_eq!(row(&trust, &start), of_95);
+        }
+    }
+    for rebound in ["23.7", "24.0", "24.3", "25.0", "26.2"] {
+        let here = row(&trust, &format!("| {rebound} cm |"));
+        let there = row(&inference, &format!("| {rebound} cm | 1 |"));
+        assert_eq!(here, there[1..], "{rebound}");
+    }
+    let balls = table("balls");
+    for dropped_from in ["0.3 to 1.5 m", "2.5 m"] {
+        let wrong = rows(&balls)
+            .into_iter()
+            .filter(|row| row[0] == dropped_from && row[1] != "table tennis 40+");
+        let unnoticed: Vec<u32> = wrong.map(|row| row[7].parse().unwrap()).collect();
+        let drops = 12 * unnoticed.len() as u32;
+        let noticed = drops - unnoticed.iter().sum::<u32>();
+        let here = row(&trust, &format!("| {dropped_from} |"));
+        assert_eq!(here, [drops, noticed].map(|count| count.to_string()));
+    }
+
+    let detectors = table("detectors");
+    let detectors = rows(&detectors);
+    let mean = detectors.iter().find(|row| row[0].starts_with("mean of"));
+    assert_eq!(
+        row(&trust, "| synthesised, from 10 dB up |"),
+        mean.unwrap()[1..]
+    );
+    assert_eq!(
+        row(&detection, "| mean of the 42 cells"),
+        mean.unwrap()[1..]
+    );
+    let mixtures = row(&detection, "| mean (133) |");
+    assert_eq!(row(&trust, "| mixtures of real sounds |"), mixtures);
+    let noise = row(&detection, "| mean |");
+    assert_eq!(row(&trust, "| mean of four balls |"), noise);
+
+    let damage = table("damage");
+    let all = rows(&damage).pop().unwrap().split_off(1);
+    assert_eq!(row(&reliability, "| of 3,000 places |"), all);
+    let kinds = [
+        "| one bit changed |",
+        "| 300 bytes set to zero |",
+        "| 2,000 bytes missing |",
+        "| cut off |",
+    ];
+    for (kind, all) in kinds.iter().zip(all) {
+        assert_eq!(row(&trust, kind).join(" · "), all, "{kind}");
+    }
+
+    let [f1, late_counted] = row(&trust, "| mean | | | |")[3..] else {
+        panic!("the mean of the recordings has no F1")
+    };
+    let bouncelab = mean.unwrap()[1];
+    let quoted = [
+        format!("mean F1 is {f1}, and {late_counted} if"),
+        format!("bouncelab reaches {bouncelab},"),
+        format!("{:.2} at\n  5 dB", noise[1].parse::<f64>().unwrap()),
+    ];
+    for words in quoted {
+        assert!(readme().text.contains(&words), "README.md: {words}");
+    }
 }
 
 /// One curve for each ball from a column of the table of timing, and a level line for each limit.
