@@ -9,7 +9,7 @@ use bouncelab_report::figure::{self, Curve, Detection, RankHistogram};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::theme::Meaning;
 
-use super::{Page, docs, made, readme};
+use super::{Page, docs, made, name, readme};
 
 fn is_made(name: &str, chart: &Chart) {
     let path = Path::new("images").join(name).with_extension("svg");
@@ -68,7 +68,7 @@ fn the_figure_of_calibration_is_that_of_its_table() {
 /// The row of a page that begins so, without its first cell.
 fn row<'a>(page: &'a Page, start: &str) -> Vec<&'a str> {
     let line = page.text.lines().find(|line| line.starts_with(start));
-    let line = line.unwrap_or_else(|| panic!("{}: no row {start}", page.path.display()));
+    let line = line.unwrap_or_else(|| panic!("{}: no row {start}", name(&page.path)));
     cells(line).split_off(1)
 }
 
