@@ -259,6 +259,24 @@ fn every_page_is_in_the_summary() {
     assert_eq!(listed, there);
 }
 
+/// A symptom is recognised by what the program prints, so the sentences are those of the diagnostics.
+#[test]
+fn symptoms_quote_what_is_printed() {
+    let symptoms = Page::read("how-to/symptoms.md".into()).text;
+    let printed = Page::read("diagnostics.md".into()).text;
+    let heading = symptoms
+        .lines()
+        .skip_while(|line| !line.starts_with("| what is printed |"));
+    let quotes: Vec<&str> = heading
+        .skip(2)
+        .map_while(|line| line.strip_prefix("| ")?.split(" | ").next())
+        .collect();
+    assert!(!quotes.is_empty());
+    for part in quotes.iter().flat_map(|quote| quote.split('…')) {
+        assert!(printed.contains(part.trim()), "no diagnostic says {part:?}");
+    }
+}
+
 #[test]
 fn every_link_within_the_book_leads_somewhere() {
     let mut broken = Vec::new();
