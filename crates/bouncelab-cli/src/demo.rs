@@ -121,9 +121,7 @@ fn comparison(analysed: &Analysed, history: &History, sound: &Rendered) -> Table
     row("demo-flight-time-error", exact, Some(error));
     let restitution = Quantity::rounded(demo::RESTITUTION, 4, Unit::Number);
     let height = Quantity::rounded(demo::DROP_HEIGHT_M, 3, Unit::Length);
-    let shown = |found: Option<Estimate>, unit: Unit| {
-        found.map(|e| Quantity::measured(e.value, e.known_sd().unwrap_or(0.0), unit))
-    };
+    let shown = |found: Option<Estimate>, unit: Unit| found.map(|found| Quantity::of(&found, unit));
     let line = drop.log_linear_fit.as_ref().ok();
     let inferred = drop.posterior.as_ref().ok();
     let found = shown(line.map(|line| line.restitution), Unit::Number);

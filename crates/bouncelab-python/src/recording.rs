@@ -9,6 +9,7 @@ use bouncelab_report::chart::Chart as Data;
 use bouncelab_report::document::Document;
 use bouncelab_report::figure::{self, Mark, Subject};
 use bouncelab_report::messages::Translator;
+use bouncelab_report::quantities;
 use bouncelab_report::report::{self, Block, Provenance};
 use bouncelab_session::RecordingTables;
 use pyo3::prelude::*;
@@ -210,6 +211,13 @@ impl Recording {
         Ok(sentences
             .chain(no_drop.map(|why| words.diagnostic(why)))
             .collect())
+    }
+
+    /// The answer of a drop in one line.
+    fn headline(&self, drop: usize, language: &str) -> Result<String> {
+        let options = &self.analyzer.setup.options;
+        let translator = translator(language)?;
+        Ok(quantities::headline(self.at(drop), options, &translator))
     }
 
     /// Names of the figures of a drop, or of the recording as a whole.

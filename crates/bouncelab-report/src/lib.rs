@@ -44,6 +44,7 @@
 //! | [`save()`] | charts as files |
 //! | [`rules`] | rules, built in and in files |
 //! | [`tables`] | tables of an analysis |
+//! | [`quantities`] | the catalogue of reported quantities |
 //! | [`document`] | an analysis as data for other programs |
 //! | [`link`] | a drop as the end of a link |
 //! | [`paper`] | the paper, recomputed |
@@ -69,6 +70,7 @@ pub mod link;
 pub mod mark;
 pub mod messages;
 pub mod paper;
+pub mod quantities;
 mod quantity;
 mod render;
 pub mod report;

@@ -101,7 +101,7 @@ pub fn drag_law(law: DragLaw, words: &Translator) -> String {
 
 /// The name of something that the data may determine.
 pub fn unknown(unknown: Unknown, words: &Translator) -> String {
-    words.text(&format!("unknown-{}", unknown.name()))
+    words.text(&format!("quantity-{}", unknown.name()))
 }
 
 /// The name of a source of uncertainty.
@@ -121,13 +121,12 @@ pub fn balls(drop: &Drop, words: &Translator) -> Table {
         ],
     );
     for compared in &drop.balls {
-        let shown =
-            |found: Estimate, unit| Quantity::measured(found.value, found.sd, unit).text(words);
+        let shown = |found: &Estimate, unit| Quantity::of(found, unit).text(words);
         table.row([
             compared.ball.to_owned(),
             words.fixed(compared.log_bayes_factor, 1),
-            shown(compared.restitution, Unit::Number),
-            shown(compared.drop_height_m, Unit::Length),
+            shown(&compared.restitution, Unit::Number),
+            shown(&compared.drop_height_m, Unit::Length),
         ]);
     }
     table
@@ -148,9 +147,8 @@ pub fn models(found: &Posterior, words: &Translator) -> Table {
     );
     for model in &found.models {
         let shown = |summary: &Option<Estimate>, unit| {
-            summary.map_or_else(String::new, |s| {
-                Quantity::measured(s.value, s.sd, unit).text(words)
-            })
+            let text = |summary: &Estimate| Quantity::of(summary, unit).text(words);
+            summary.as_ref().map_or_else(String::new, text)
         };
         table.row(vec![
             restitution_law(model.restitution_law, words),
@@ -210,7 +208,7 @@ pub fn prior_contraction(found: &Posterior, words: &Translator) -> Table {
 pub fn correlations(found: &Posterior, words: &Translator) -> Table {
     let names = found.correlations.quantities.iter();
     let names: Vec<String> = names
-        .map(|name| words.text(&format!("unknown-{name}")))
+        .map(|name| words.text(&format!("quantity-{name}")))
         .collect();
     let mut columns = vec![(String::new(), Align::Left)];
     columns.extend(names.iter().map(|name| (name.clone(), Align::Right)));

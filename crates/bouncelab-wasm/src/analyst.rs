@@ -1,14 +1,18 @@
 //! Analyses impacts.
 
+use std::collections::BTreeMap;
+
 use bouncelab::Recording;
 use bouncelab::analysis::{Drop, DropTask, Plan};
 use bouncelab::detection::Envelope;
+use bouncelab::inference::PriorContraction;
 use bouncelab::setup::Setup;
 use bouncelab_report::document::{Document, rows};
 use bouncelab_report::figure::{self, Mark, Subject};
-use bouncelab_report::messages::Translator;
+use bouncelab_report::messages::{Translator, capital};
+use bouncelab_report::quantities::{self, QuantityList};
 use bouncelab_report::report::{self, Provenance};
-use bouncelab_report::{Chart, csv};
+use bouncelab_report::{Chart, csv, tables};
 
 use crate::refusal::{Result, unknown};
 use crate::simulator;
@@ -96,9 +100,28 @@ impl Analysis<'_> {
             ),
             ball: self.translator.ball(&self.setup.ball),
             questions,
+            quantities: self.quantities(),
+            unknowns: self.unknowns(),
             figures: self.figures(),
             comparable: self.result.drops.iter().map(comparable).collect(),
         }
+    }
+
+    fn quantities(&self) -> Vec<Vec<QuantityList>> {
+        let of_drop =
+            |drop| quantities::of_drop(drop, &self.setup.options, self.translator);
+        self.result.drops.iter().map(of_drop).collect()
+    }
+
+    fn unknowns(&self) -> BTreeMap<&'static str, String> {
+        let drops = self.result.drops.iter();
+        let posteriors = drops.filter_map(|drop| drop.posterior.as_ref().ok());
+        let contracted = posteriors.flat_map(|posterior| &posterior.prior_contraction);
+        let named = contracted.map(|PriorContraction { unknown, .. }| {
+            let name = capital(&tables::unknown(*unknown, self.translator));
+            (unknown.name(), name)
+        });
+        named.collect()
     }
 
     fn figures(&self) -> Vec<Vec<&'static str>> {

@@ -17,6 +17,7 @@ use bouncelab::setup::Settings;
 use bouncelab::{Diagnostic, Impact};
 use bouncelab_report::document::Document;
 use bouncelab_report::figure::DropSummary;
+use bouncelab_report::quantities::QuantityList;
 use bouncelab_report::report::{Block, Section};
 
 /// The choices that a page can offer.
@@ -158,6 +159,12 @@ pub struct Analysed<'a> {
     pub ball: String,
     /// Settings that look like mistakes of units.
     pub questions: Vec<Diagnostic>,
+    /// The reported quantities of each drop, in the language of the request.
+    pub quantities: Vec<Vec<QuantityList>>,
+    /// Names of the unknowns whose priors the data may contract, by [`PriorContraction::unknown`].
+    ///
+    /// [`PriorContraction::unknown`]: bouncelab::inference::PriorContraction::unknown
+    pub unknowns: BTreeMap<&'static str, String>,
     /// Names of the figures that there are of each drop.
     pub figures: Vec<Vec<&'static str>>,
     /// What each drop adds to a study of many; `null` without an inference.

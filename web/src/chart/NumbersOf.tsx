@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import { fixed, PLAIN, plain } from '../format/quantity.ts';
+import { fixed, NUMBER, rounded } from '../format/quantity.ts';
 import type { Axis, Chart, Layer, Panel } from '../lab/index.ts';
 import { language, text } from '../text/language.ts';
 import { labelOf, type Point, pointsOf } from './points.ts';
@@ -50,7 +50,7 @@ function Table({
     if (axis.names.length > 0) return axis.names.at(-Math.ceil(value)) ?? '';
     return axis.scale.kind === 'counting'
       ? fixed(value, 0, language.value)
-      : plain(value, PLAIN, 4, language.value);
+      : rounded(value, 4, NUMBER, language.value);
   };
   return (
     <section class="scroll impacts" tabIndex={0} aria-label={label}>

@@ -1,6 +1,6 @@
 /** Shows the value of the point nearest to the pointer, also after a tap. */
 import type uPlot from 'uplot';
-import { PLAIN, plain } from '../format/quantity.ts';
+import { NUMBER, rounded } from '../format/quantity.ts';
 import type { Panel } from '../lab/index.ts';
 import { type Point, pointsOf } from './points.ts';
 
@@ -17,7 +17,7 @@ export function tip(panel: Panel, language: string): uPlot.Plugin {
     const found = left < 0 ? undefined : nearest(plot, points, left, top);
     box.hidden = found === undefined;
     if (!found) return;
-    const number = (value: number): string => plain(value, PLAIN, 4, language);
+    const number = (value: number): string => rounded(value, 4, NUMBER, language);
     // Along an axis of names there is nothing to read.
     const numbers = panel.y.names.length > 0 ? [found.x] : [found.x, found.y];
     box.textContent = [...numbers.map(number), found.name].filter(Boolean).join(' · ');

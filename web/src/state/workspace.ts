@@ -3,7 +3,7 @@
  * show these signals; the functions of this folder change them.
  */
 import { batch, computed, signal } from '@preact/signals';
-import type { Analysed, Drop, Recording } from '../lab/index.ts';
+import type { Analysed, Drop, QuantityList, Recording } from '../lab/index.ts';
 import { stop } from '../sound/player.ts';
 import type { Pyramid } from '../wave/pyramid.ts';
 import { framing, type Viewport, whole } from '../wave/viewport.ts';
@@ -63,6 +63,10 @@ export const cursorS = signal<number | null>(null);
 /** The chosen drop, as analysed; and its place among those analysed. */
 export const place = computed(() => analysed.value?.places[chosenDrop.value] ?? -1);
 export const drop = computed<Drop | undefined>(() => analysed.value?.document.drops[place.value]);
+/** Its reported quantities, method by method. */
+export const quantities = computed<readonly QuantityList[]>(
+  () => analysed.value?.quantities[place.value] ?? [],
+);
 export const edited = computed(() => present.value !== undefined && isEdited(present.value));
 
 /** Puts something in the workspace; what lay there is gone from the page, not from the database. */

@@ -1,5 +1,5 @@
 /** The answer of a drop: restitution and drop height with their uncertainties. */
-import { lengthUnit, PERCENT, uncertain } from '../format/quantity.ts';
+import { estimated, LENGTH, PERCENT } from '../format/quantity.ts';
 import type { Drop } from '../lab/index.ts';
 import { language, text } from './language.ts';
 
@@ -16,12 +16,12 @@ export function answerOf({ posterior, per_impact, log_linear_fit }: Drop): Answe
   const height = (posterior ?? log_linear_fit)?.drop_height_m;
   const spoken = language.value;
   return {
-    share: e && uncertain(e.value, e.sd, PERCENT, spoken),
-    height: height && uncertain(height.value, height.sd, lengthUnit(height.value), spoken),
+    share: e && estimated(e.value, e.sd, PERCENT, spoken),
+    height: height && estimated(height.value, height.sd, LENGTH, spoken),
   };
 }
 
-/** The answer for a voice, which may leave out a sign or stumble over a thin space. */
+/** The answer for a voice, which may leave out a sign or stumble over a space that does not break. */
 export function spokenAnswer(result: Drop): string {
   const { share, height } = answerOf(result);
   const sentences = [
@@ -31,5 +31,5 @@ export function spokenAnswer(result: Drop): string {
   return sentences
     .join(' ')
     .replaceAll('±', text('page-rest-plus-minus'))
-    .replaceAll('\u202f', ' ');
+    .replaceAll('\u00a0', ' ');
 }

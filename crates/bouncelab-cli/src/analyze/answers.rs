@@ -1,191 +1,72 @@
-//! The estimates, and the result of the inference, as text.
+//! The reported quantities of a drop as text.
 
-use bouncelab::Estimate;
 use bouncelab::analysis::Drop;
-use bouncelab::inference::{ApexTarget, Posterior, Prediction, UNKNOWN};
 use bouncelab::setup::Setup;
 use bouncelab_report::messages::Value;
-use bouncelab_report::{Quantity, Unit, tables};
+use bouncelab_report::quantities::{self, Level, Method, QuantityList, Reported};
+use bouncelab_report::{Unit, tables};
 use unicode_width::UnicodeWidthStr;
 
 use crate::language::{cannot_tell, text, text_with, translated, translator};
 
-/// A quantity with its value: a line of a list.
-pub(super) struct Answer {
-    name: String,
-    symbol: &'static str,
-    value: String,
-    note: Option<String>,
+/// The results by the log-linear fit, corrected for drag where there is no inference, and by the inference; with `details`, the
+/// quantities of every level.
+pub(super) fn lines(drop: &Drop, physics: &Setup, details: bool) -> Vec<String> {
+    let lists = quantities::of_drop(drop, &physics.options, translator());
+    let listed = |method: Method, heading: String| listed(&lists, method, heading, details);
+    let ball = translator().ball(&physics.ball);
+    let fitted = match &drop.log_linear_fit {
+        Ok(_) => listed(Method::LogLinearFit, text("analyze-line-heading")),
+        Err(reason) => vec![cannot_tell("analyze-line", translated(reason))],
+    };
+    let law = tables::drag_law(physics.options.environment.drag, translator());
+    let heading = [("ball", ball.as_str().into()), ("law", law.into())];
+    let heading = text_with("analyze-corrected-heading", &heading);
+    let corrected = match &drop.per_impact {
+        Ok(found) if found.restitution.is_some() => listed(Method::PerImpact, heading),
+        _ if drop.posterior.is_ok() => Vec::new(),
+        Ok(found) => {
+            let count = [("count", found.impacts.len().into())];
+            vec![text_with("analyze-corrected-too-few", &count)]
+        }
+        Err(reason) => vec![cannot_tell("analyze-corrected", translated(reason))],
+    };
+    let inferred = match &drop.posterior {
+        Ok(_) => {
+            let heading = text_with("analyze-inference-heading", &[("ball", ball.into())]);
+            listed(Method::Inference, heading)
+        }
+        Err(_) if physics.options.inference.is_none() => Vec::new(),
+        Err(reason) => vec![cannot_tell("analyze-inference", translated(reason))],
+    };
+    [fitted, corrected, inferred].concat()
 }
 
-impl Answer {
-    /// Without a note; the symbol may be empty.
-    pub(super) fn new(name: String, symbol: &'static str, value: String) -> Self {
-        Self {
-            name,
-            symbol,
-            value,
-            note: None,
-        }
-    }
-
-    /// With a remark behind the value.
-    pub(super) fn noted(self, note: String) -> Self {
-        Self {
-            note: Some(note),
-            ..self
-        }
-    }
-
-    /// A summary with its 95 % interval, and more that stands beside it.
-    fn inferred(
-        name: String,
-        symbol: &'static str,
-        summary: &Estimate,
-        unit: Unit,
-        more: &[String],
-    ) -> Self {
-        if summary.sd == 0.0 {
-            let value = Quantity::rounded(summary.value, 4, unit).text(translator());
-            return Self::new(name, symbol, value).noted(format!("({})", text("analyze-known")));
-        }
-        let value = Quantity::measured(summary.value, summary.sd, unit);
-        let interval = value.interval_text(summary.interval95, translator());
-        let interval = text_with("analyze-interval", &[("interval", interval.into())]);
-        let notes = std::iter::once(interval).chain(more.iter().cloned());
-        let notes = translator().in_one_line(notes);
-        Self::new(name, symbol, value.text(translator())).noted(format!("({notes})"))
-    }
-}
-
-/// A heading and the answers below it, their values in one column.
-pub(super) fn listed(heading: String, answers: &[Answer]) -> Vec<String> {
+/// A heading and the quantities of a method below it, their values in one column; nothing if all are for
+/// `details`, which were not asked for.
+fn listed(lists: &[QuantityList], method: Method, heading: String, details: bool) -> Vec<String> {
     /// The longest name in English.
     const USUAL: usize = 18;
-    let widths = answers.iter().map(|answer| answer.name.width());
-    let width = widths.fold(USUAL, usize::max);
-    let lines = answers.iter().map(|answer| {
-        let space = " ".repeat(width - answer.name.width());
-        let symbol = match answer.symbol {
-            "" => String::new(),
-            symbol => format!("{symbol} ="),
-        };
-        let note = answer.note.iter().map(|note| format!("   {note}"));
-        let note: String = note.collect();
-        format!("  {}{space}{symbol:>5} {}{note}", answer.name, answer.value)
-    });
-    std::iter::once(heading).chain(lines).collect()
-}
-
-/// What the inference answers, one line for each; nothing if it was not asked for.
-pub(super) fn lines(drop: &Drop, physics: &Setup) -> Vec<String> {
-    if physics.options.inference.is_none() {
+    let most = if details { Level::Details } else { Level::More };
+    let rows = lists.iter().filter(|list| list.method == method);
+    let rows = rows.flat_map(|list| &list.rows);
+    let rows: Vec<&Reported> = rows.filter(|row| row.level <= most).collect();
+    if rows.is_empty() {
         return Vec::new();
     }
-    let found = match &drop.posterior {
-        Ok(found) => found,
-        Err(reason) => return vec![cannot_tell("analyze-inference", translated(reason))],
-    };
-    let answer = |name: &str, symbol, summary: &Estimate, unit, more: &[String]| {
-        Answer::inferred(text(name), symbol, summary, unit, more)
-    };
-    let speed = Quantity::rounded(found.at_speed_m_s, 3, Unit::Speed);
-    let speed = text_with("analyze-at-speed", &[("speed", speed.into())]);
-    let (restitution, height) = (&found.restitution, &found.drop_height_m);
-    let missed: Vec<String> = height_note(found).into_iter().collect();
-    let mut answers = vec![
-        answer(
-            "quantity-restitution",
-            "e ",
-            restitution,
-            Unit::Number,
-            &[speed],
-        ),
-        answer("quantity-drop-height", "h0", height, Unit::Length, &missed),
-    ];
-    if let (Some(coefficient), Some(prior)) =
-        (&found.drag_coefficient, found.drag_coefficient_prior)
-    {
-        let prior = match prior.sd {
-            0.0 => text("analyze-known"),
-            sd => {
-                let value = Quantity::measured(prior.value, sd, Unit::Number);
-                text_with("analyze-before-data", &[("value", value.into())])
-            }
+    let widths = rows.iter().map(|row| row.name.width());
+    let width = widths.fold(USUAL, usize::max);
+    let lines = rows.iter().map(|row| {
+        let space = " ".repeat(width - row.name.width());
+        let symbol = match row.symbol {
+            "" => String::new(),
+            symbol => format!("{symbol:<2} ="),
         };
-        answers.push(answer(
-            "quantity-drag-coefficient",
-            "C_D",
-            coefficient,
-            Unit::Number,
-            &[prior],
-        ));
-        let terminal = found.terminal_speed_m_s.iter();
-        answers.extend(
-            terminal.map(|speed| answer("quantity-terminal-speed", "", speed, Unit::Speed, &[])),
-        );
-    }
-    if physics.options.priors.gravity_rel_sd >= UNKNOWN {
-        let gravity = &found.gravity_m_s2;
-        answers.push(answer(
-            "quantity-gravity",
-            "g ",
-            gravity,
-            Unit::Acceleration,
-            &[],
-        ));
-    }
-    if let Some(time) = &found.total_time_s {
-        answers.push(answer(
-            "quantity-release-until-rest",
-            "",
-            time,
-            Unit::Time,
-            &[],
-        ));
-    }
-    if let Some(path) = &found.total_path_m {
-        answers.push(answer(
-            "quantity-path-until-rest",
-            "",
-            path,
-            Unit::Length,
-            &[],
-        ));
-    }
-    answers.extend(found.predictions.iter().map(predicted));
-    let ball = [("ball", translator().ball(&physics.ball).into())];
-    listed(text_with("analyze-inference-heading", &ball), &answers)
-}
-
-fn height_note(found: &Posterior) -> Option<String> {
-    match &found.missed_first_impacts {
-        None if found.first_was_detected() => None,
-        None => Some(text("analyze-first-fall")),
-        Some(probabilities) => {
-            let likely: Vec<String> = probabilities
-                .iter()
-                .enumerate()
-                .filter(|(_, probability)| **probability >= 0.005)
-                .map(|(missed, probability)| format!("{missed}: {:.0} %", probability * 100.0))
-                .collect();
-            Some(text_with(
-                "analyze-missed",
-                &[("list", likely.join(", ").into())],
-            ))
-        }
-    }
-}
-
-fn predicted(prediction: &Prediction) -> Answer {
-    let ApexTarget { bounce, apex_m } = prediction.target;
-    let apex = Quantity::rounded(apex_m, 4, Unit::Length);
-    let target = [("bounce", bounce.into()), ("apex", apex.into())];
-    let name = text_with("analyze-reach", &target);
-    match &prediction.drop_height_m {
-        Some(height) => Answer::inferred(name, "", height, Unit::Length, &[]),
-        None => Answer::new(name, "", text("unit-cannot-tell")),
-    }
+        let note = row.note.iter().map(|note| format!("   ({note})"));
+        let note: String = note.collect();
+        format!("  {}{space}{symbol:>5} {}{note}", row.name, row.value)
+    });
+    std::iter::once(heading).chain(lines).collect()
 }
 
 /// The tables behind the answers.

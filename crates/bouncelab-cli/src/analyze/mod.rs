@@ -11,7 +11,7 @@ use cues::write_cues;
 pub(crate) use figures::{Stems, save_figures};
 pub(crate) use read::{Analysed, read};
 use report::ReportArguments;
-pub(crate) use text::{assumed, note, report, shown};
+pub(crate) use text::{assumed, note, report};
 
 use std::io;
 use std::ops::{Range, RangeInclusive};

@@ -3,18 +3,17 @@
 use std::fmt::{Display, Write};
 
 use bouncelab::Diagnostic;
-use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Source, StrongestBand};
 use bouncelab::diagnostic::Code;
 use bouncelab::setup::Setup;
 use bouncelab_report::messages::Value;
 use bouncelab_report::report::ended;
-use bouncelab_report::tables::{self, drag_law};
+use bouncelab_report::tables;
 use bouncelab_report::{Quantity, Unit};
 
-use super::answers::{self, Answer};
+use super::answers;
 use super::read::Analysed;
-use crate::language::{cannot_tell, text, text_with, translated, translator};
+use crate::language::{text, text_with, translator};
 
 /// What a file says, in words and a table for each drop.
 pub(crate) fn report(analysed: &Analysed, physics: &Setup, details: bool) -> String {
@@ -27,7 +26,7 @@ pub(crate) fn report(analysed: &Analysed, physics: &Setup, details: bool) -> Str
         line(&mut page, "");
         line(&mut page, &drop_headline(analysed, index));
         line(&mut page, "");
-        for finding in findings(drop, physics) {
+        for finding in answers::lines(drop, physics, details) {
             line(&mut page, &format!("  {finding}"));
         }
         if !drop.balls.is_empty() {
@@ -96,8 +95,14 @@ fn ball_contrast(drop: &Drop, physics: &Setup) -> String {
             "terminal-if-ball",
             &[
                 ("ball", other.ball.into()),
-                ("restitution", shown(other.restitution, Unit::Number).into()),
-                ("height", shown(other.drop_height_m, Unit::Length).into()),
+                (
+                    "restitution",
+                    Quantity::of(&other.restitution, Unit::Number).into(),
+                ),
+                (
+                    "height",
+                    Quantity::of(&other.drop_height_m, Unit::Length).into(),
+                ),
             ],
         )
     });
@@ -194,79 +199,4 @@ fn drop_headline(analysed: &Analysed, index: usize) -> String {
             ("probability", probability),
         ],
     )
-}
-
-/// The results, one line for each.
-fn findings(drop: &Drop, physics: &Setup) -> Vec<String> {
-    let mut lines = line_lines(drop);
-    let inferred = answers::lines(drop, physics);
-    if drop.posterior.is_err() {
-        lines.extend(corrected_lines(drop, physics));
-    }
-    lines.extend(inferred);
-    lines
-}
-
-fn line_lines(drop: &Drop) -> Vec<String> {
-    let fit = match &drop.log_linear_fit {
-        Ok(fit) => fit,
-        Err(reason) => return vec![cannot_tell("analyze-line", translated(reason))],
-    };
-    let count = drop.flights.iter().filter(|flight| flight.in_fit).count();
-    let flights = text_with("analyze-line-flights", &[("count", count.into())]);
-    let found =
-        |name, symbol, value: Estimate, unit| Answer::new(text(name), symbol, shown(value, unit));
-    let mut answers = vec![
-        found("quantity-restitution", "e ", fit.restitution, Unit::Number),
-        found(
-            "quantity-drop-height",
-            "h0",
-            fit.drop_height_m,
-            Unit::Length,
-        )
-        .noted(flights),
-        found("quantity-energy-kept", "", fit.energy_kept, Unit::Percent),
-    ];
-    if let (Some(time), Some(path)) = (fit.total_time_s, fit.total_path_m) {
-        answers.push(found("analyze-until-rest", "", time, Unit::Time));
-        answers.push(found("quantity-path-until-rest", "", path, Unit::Length));
-    }
-    answers::listed(text("analyze-line-heading"), &answers)
-}
-
-fn corrected_lines(drop: &Drop, physics: &Setup) -> Vec<String> {
-    let found = match &drop.per_impact {
-        Ok(found) => found,
-        Err(reason) => return vec![cannot_tell("analyze-corrected", translated(reason))],
-    };
-    let count = found.impacts.len();
-    let (Some(restitution), Some((slowest, fastest))) =
-        (drop.per_impact_restitution(), drop.speed_range_m_s())
-    else {
-        return vec![text_with(
-            "analyze-corrected-too-few",
-            &[("count", count.into())],
-        )];
-    };
-    let law = drag_law(physics.options.environment.drag, translator());
-    let ball = translator().ball(&physics.ball);
-    let heading = [("ball", ball.into()), ("law", law.into())];
-    let impacts = [
-        ("count", count.into()),
-        ("slowest", Value::fixed(slowest, 2)),
-        ("fastest", Value::fixed(fastest, 2)),
-    ];
-    let restitution = shown(restitution, Unit::Number);
-    let answer = Answer::new(text("quantity-restitution"), "e ", restitution)
-        .noted(text_with("analyze-corrected-impacts", &impacts));
-    answers::listed(text_with("analyze-corrected-heading", &heading), &[answer])
-}
-
-/// A value with its standard error, or with four digits where there is none.
-pub(crate) fn shown(estimate: Estimate, unit: Unit) -> String {
-    let quantity = match estimate.known_sd() {
-        Some(error) => Quantity::measured(estimate.value, error, unit),
-        None => Quantity::rounded(estimate.value, 4, unit),
-    };
-    quantity.text(translator())
 }

@@ -4,13 +4,12 @@ use std::time::{Duration, Instant};
 
 use bouncelab::Impact;
 use bouncelab::analysis::{self, Options};
-use bouncelab_report::Unit;
 use bouncelab_report::messages::Value;
+use bouncelab_report::{Quantity, Unit};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::sketch;
 use super::watch::{Going, Watch};
-use crate::analyze;
 use crate::failure::Failure;
 use crate::language::{text, text_with, translator};
 use crate::terminal::{print, print_data, say};
@@ -110,8 +109,8 @@ impl Screen {
             lines.push(text_with("listen-impact", &found));
         }
         if let Ok(line) = &drop.log_linear_fit {
-            let restitution = analyze::shown(line.restitution, Unit::Number);
-            let height = analyze::shown(line.drop_height_m, Unit::Length);
+            let restitution = Quantity::of(&line.restitution, Unit::Number);
+            let height = Quantity::of(&line.drop_height_m, Unit::Length);
             let line = [
                 ("restitution", restitution.into()),
                 ("height", height.into()),
@@ -119,8 +118,8 @@ impl Screen {
             lines.push(format!("  {}", text_with("listen-line", &line)));
         }
         if let Some(restitution) = drop.per_impact_restitution() {
-            let shown = analyze::shown(restitution, Unit::Number);
-            let corrected = [("restitution", shown.into())];
+            let restitution = Quantity::of(&restitution, Unit::Number);
+            let corrected = [("restitution", restitution.into())];
             lines.push(format!("  {}", text_with("listen-corrected", &corrected)));
         }
         let times: Vec<(usize, f64)> = drop.flights.iter().map(|f| (f.number, f.time_s)).collect();

@@ -67,8 +67,10 @@ pub(super) fn table(drops: &[&Drop]) -> Table {
             drop.impacts.len().to_string(),
         ];
         row.extend(COLUMNS.iter().map(|column| {
-            let shown = |estimate| crate::analyze::shown(estimate, column.unit);
-            (column.of)(drop).map_or_else(String::new, shown)
+            let estimate = (column.of)(drop);
+            estimate.map_or_else(String::new, |estimate| {
+                Quantity::of(&estimate, column.unit).text(translator())
+            })
         }));
         table.row(row);
     }

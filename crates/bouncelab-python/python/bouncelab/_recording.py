@@ -339,10 +339,9 @@ class Drop:
         return isinstance(other, Drop) and self._document == other._document
 
     def __repr__(self) -> str:
-        what = f"{_counted(len(self.impacts), 'impact')}"
-        if self.has_posterior:
-            what += f", restitution {self.restitution.value:.6g} ± {self.restitution.sd:.2g}"
-        return f"<bouncelab.Drop: {what}>"
+        answer = self._recording._core.headline(self._place, "en")
+        parts = [_counted(len(self.impacts), "impact"), answer]
+        return f"<bouncelab.Drop: {', '.join(filter(None, parts))}>"
 
     def _repr_html_(self) -> str:
         """Return a short answer as HTML, for notebooks."""

@@ -1,5 +1,3 @@
-page-to = bis
-
 page-app-title = bouncelab: Ball fallen lassen, Physik hören
 page-app-skip = Zum Inhalt springen
 page-app-nav = Seiten
@@ -74,6 +72,7 @@ page-lab-why-air-1 = Eine Ausgleichsgerade durch die Logarithmen der Flugzeiten 
 page-lab-why-air-2 = Die grauen Punkte vernachlässigen die Luft; aus den blauen ist sie herausgerechnet. Sie zeigen Ball und Untergrund allein.
 page-lab-refining = Rechne die Schätzung mit Luft …
 page-lab-more = Alle Zahlen
+page-lab-other-quantities = Weitere Größen
 page-lab-tells = Was diese Aufnahme bestimmt, und was nicht
 page-lab-narrowed-lead = Wie weit die Aufnahme die Unsicherheit verringert hat:
 page-lab-narrowed = { $unknown }: { $share } der Breite bleiben
@@ -225,24 +224,6 @@ page-figures-tabs-models = Gesetze
 page-figures-tabs-truncation = Flugzahl
 page-figures-tabs-drag = Luft
 page-figures-tabs-drag-log = Luft (log.)
-
-page-quantities-restitution = Stoßzahl e
-page-quantities-at-speed = bei { $speed }
-page-quantities-slope = Fällt mit dem Tempo um (−d ln e / d ln v)
-page-quantities-drop-height = Fallhöhe
-page-quantities-drag = Widerstands­beiwert
-page-quantities-terminal = End­geschwindigkeit
-page-quantities-total-time = Vom Loslassen bis zur Ruhe
-page-quantities-total-path = Weg bis zur Ruhe
-page-quantities-scatter = Streuung von Aufprall zu Aufprall
-page-quantities-timing = Fehler der Zeiten
-page-quantities-contact = Kontaktzeit
-page-quantities-line-restitution = Ausgleichsgerade: e
-page-quantities-line-height = Ausgleichsgerade: Fallhöhe
-page-quantities-line-flights = Ausgleichsgerade: Flüge
-page-quantities-energy-kept = Ausgleichsgerade: behaltene Energie
-page-quantities-corrected = Jeder Aufprall ohne Luft, Median von e
-page-quantities-interval = 95 %: { $range }
 
 page-settings-ball = Ball
 page-settings-air = Luft

@@ -33,6 +33,7 @@ report-line-says = Die Ausgleichsgerade durch die Logarithmen der Flugzeiten, oh
   }) und { $height }.
 
 report-answers = Schätzung mit Luft, und Ausgleichsgerade ohne
+report-quantities = Weitere Größen
 report-impacts-heading = Die Aufpralle
 report-impacts-table = Aufpralle, jeder mit dem Flug danach und seiner Stoßzahl, ohne Luft gerechnet und mit ihr (? heißt unsicher)
 report-line-heading = Die Ausgleichsgerade

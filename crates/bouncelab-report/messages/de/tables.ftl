@@ -34,27 +34,33 @@ column-inference = Schätzung, mit Luft
 column-plain = g T²/8
 column-95 = 95 %
 column-straight-line = Ausgleichsgerade, ohne Luft
+column-corrected = Luftwiderstand herausgerechnet
 
 quantity-restitution = Stoßzahl
-quantity-restitution-e = Stoßzahl e
 quantity-drop-height = Fallhöhe
 quantity-energy-kept = behaltene Energie
-quantity-drag-coefficient = Widerstandsbeiwert
+quantity-drag = Widerstandsbeiwert
 quantity-terminal-speed = Endgeschwindigkeit
 quantity-gravity = Fallbeschleunigung
-quantity-scatter = Streuung von Aufprall zu Aufprall
-quantity-release-until-rest = vom Loslassen bis zur Ruhe
-quantity-path-until-rest = Weg bis zur Ruhe
-quantity-height-to-reach = Höhe, aus der Sprung { $bounce } bis { $apex } reicht
+quantity-total-time = Zeit bis zur Ruhe
+quantity-total-path = Weg bis zur Ruhe
+quantity-slope = Gefälle der Stoßzahl
+quantity-scatter = Streuung der Stoßzahl
+quantity-timing = Fehler der Zeiten
+quantity-contact-time = Kontaktzeit
+quantity-height-to-reach = Sprung { $bounce } erreicht { $apex } aus
 
-unknown-restitution = Stoßzahl
-unknown-drop-height = Fallhöhe
-unknown-drag = Widerstandsbeiwert
-unknown-slope = Gefälle der Stoßzahl
-unknown-scatter = Streuung der Stoßzahl
-unknown-timing = Fehler der Zeiten
-unknown-contact-time = Kontaktzeit
-unknown-gravity = Fallbeschleunigung
+quantity-interval = 95 %: { $interval }
+quantity-at-speed = bei { $speed }
+quantity-of-impacts = Median von { $count } Aufprallen bei { $slowest } bis { $fastest } m/s
+quantity-of-flights = vor dem ersten erkannten Aufprall; { $count ->
+    [one] 1 Flug
+   *[other] { $count } Flüge
+  }
+quantity-first-fall = vor dem ersten erkannten Aufprall
+quantity-missed = vorher verpasste Aufpralle: { $list }
+quantity-before-data = { $value } vor den Daten
+quantity-known = als bekannt angenommen
 
 source-impact-timing = Zeiten der Aufpralle
 source-restitution-scatter = Streuung der Stoßzahl

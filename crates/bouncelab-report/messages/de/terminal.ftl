@@ -27,24 +27,11 @@ analyze-drop = { $drops ->
   }
 analyze-line = Ausgleichsgerade
 analyze-line-heading = Ausgleichsgerade durch die Logarithmen der Flugzeiten, ohne Luft:
-analyze-line-flights = (vor dem ersten erkannten Aufprall; { $count ->
-    [one] 1 Flug
-   *[other] { $count } Flüge
-  })
-analyze-until-rest = bis zur Ruhe
 analyze-corrected = Luftwiderstand herausgerechnet
 analyze-corrected-heading = Luftwiderstand herausgerechnet ({ $ball }, { $law }):
-analyze-corrected-impacts = (Median von { $count } Aufprallen bei { $slowest } bis { $fastest } m/s)
 analyze-corrected-too-few = Luftwiderstand herausgerechnet: kein Mittelwert: { $count } der Aufpralle liegen zwischen zwei Flügen, und es braucht 3.
 analyze-inference = Schätzung
 analyze-inference-heading = Schätzung, mit Luft ({ $ball }):
-analyze-at-speed = bei { $speed }
-analyze-before-data = { $value } vor den Daten
-analyze-known = als bekannt angenommen
-analyze-first-fall = vor dem ersten erkannten Aufprall
-analyze-missed = vorher verpasste Aufpralle: { $list }
-analyze-reach = Sprung { $bounce } erreicht { $apex } aus
-analyze-interval = 95 %: { $interval }
 
 analyze-details-models = Modelle, vor den Daten gleich wahrscheinlich:
 analyze-details-budget-restitution = Unsicherheitsbudget von e:

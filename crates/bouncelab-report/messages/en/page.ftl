@@ -1,7 +1,5 @@
 # What the page itself says; whatever comes from the engine is in the other files.
 
-page-to = to
-
 page-app-title = bouncelab: drop a ball, hear the physics
 page-app-skip = Skip to the content
 page-app-nav = Pages
@@ -76,6 +74,7 @@ page-lab-why-air-1 = A straight line through the logarithms of the flight times 
 page-lab-why-air-2 = The grey points neglect the air; the blue ones are corrected for drag. They show the ball and the surface alone.
 page-lab-refining = Computing the inference with air …
 page-lab-more = All numbers
+page-lab-other-quantities = Other quantities
 page-lab-tells = What this recording determines, and what not
 page-lab-narrowed-lead = How much the recording reduced the prior uncertainty:
 page-lab-narrowed = { $unknown }: { $share } of the width remains
@@ -227,24 +226,6 @@ page-figures-tabs-models = Laws
 page-figures-tabs-truncation = Truncation
 page-figures-tabs-drag = Drag
 page-figures-tabs-drag-log = Drag (log)
-
-page-quantities-restitution = Restitution e
-page-quantities-at-speed = at { $speed }
-page-quantities-slope = Fall of restitution with speed (−d ln e / d ln v)
-page-quantities-drop-height = Drop height
-page-quantities-drag = Drag coefficient
-page-quantities-terminal = Terminal speed
-page-quantities-total-time = From release to rest
-page-quantities-total-path = Path until rest
-page-quantities-scatter = Scatter from impact to impact
-page-quantities-timing = Error of the times
-page-quantities-contact = Contact time
-page-quantities-line-restitution = Log-linear fit: e
-page-quantities-line-height = Log-linear fit: drop height
-page-quantities-line-flights = Log-linear fit: flights
-page-quantities-energy-kept = Log-linear fit: energy kept
-page-quantities-corrected = Each impact corrected for drag, median e
-page-quantities-interval = 95 %: { $range }
 
 page-settings-ball = Ball
 page-settings-air = Air

@@ -35,6 +35,7 @@ report-line-says = The log-linear fit of the flight times, which neglects the ai
   }) and { $height }.
 
 report-answers = Inference with air, and log-linear fit without
+report-quantities = Other quantities
 report-impacts-heading = The impacts
 report-impacts-table = Impacts with the following flight, and restitution without and with correction for drag (? marks uncertain impacts)
 report-line-heading = The log-linear fit

@@ -34,27 +34,33 @@ column-inference = inference, with air
 column-plain = g T²/8
 column-95 = 95 %
 column-straight-line = log-linear fit, no air
+column-corrected = corrected for drag
 
 quantity-restitution = restitution
-quantity-restitution-e = restitution e
 quantity-drop-height = drop height
 quantity-energy-kept = energy kept
-quantity-drag-coefficient = drag coefficient
+quantity-drag = drag coefficient
 quantity-terminal-speed = terminal speed
 quantity-gravity = gravity
-quantity-scatter = scatter from impact to impact
-quantity-release-until-rest = release until rest
-quantity-path-until-rest = path until rest
-quantity-height-to-reach = height from which bounce { $bounce } reaches { $apex }
+quantity-total-time = time until rest
+quantity-total-path = path until rest
+quantity-slope = slope of restitution
+quantity-scatter = scatter of restitution
+quantity-timing = errors of the times
+quantity-contact-time = contact time
+quantity-height-to-reach = bounce { $bounce } reaches { $apex } from
 
-unknown-restitution = restitution
-unknown-drop-height = drop height
-unknown-drag = drag coefficient
-unknown-slope = slope of restitution
-unknown-scatter = scatter of restitution
-unknown-timing = errors of the times
-unknown-contact-time = contact time
-unknown-gravity = gravity
+quantity-interval = 95 %: { $interval }
+quantity-at-speed = at { $speed }
+quantity-of-impacts = median of { $count } impacts at { $slowest } to { $fastest } m/s
+quantity-of-flights = before the first impact detected; { $count ->
+    [one] 1 flight
+   *[other] { $count } flights
+  }
+quantity-first-fall = before the first impact detected
+quantity-missed = impacts missed before: { $list }
+quantity-before-data = { $value } before the data
+quantity-known = taken as known
 
 source-impact-timing = timing of the impacts
 source-restitution-scatter = scatter of restitution

@@ -29,24 +29,11 @@ analyze-drop = { $drops ->
   }
 analyze-line = Log-linear fit
 analyze-line-heading = Log-linear fit of the flight times, neglecting the air:
-analyze-line-flights = (before the first impact detected; { $count ->
-    [one] 1 flight
-   *[other] { $count } flights
-  })
-analyze-until-rest = until rest
 analyze-corrected = Corrected for drag
 analyze-corrected-heading = Corrected for drag ({ $ball }, { $law }):
-analyze-corrected-impacts = (median of { $count } impacts at { $slowest } to { $fastest } m/s)
 analyze-corrected-too-few = Corrected for drag: no mean: { $count } of the impacts lie between two flights, and 3 are needed.
 analyze-inference = Inference
 analyze-inference-heading = Inference, with air ({ $ball }):
-analyze-at-speed = at { $speed }
-analyze-before-data = { $value } before the data
-analyze-known = taken as known
-analyze-first-fall = before the first impact detected
-analyze-missed = impacts missed before: { $list }
-analyze-reach = bounce { $bounce } reaches { $apex } from
-analyze-interval = 95 %: { $interval }
 
 analyze-details-models = Models, with equal prior probability:
 analyze-details-budget-restitution = Uncertainty budget of e:

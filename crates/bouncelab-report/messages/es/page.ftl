@@ -1,5 +1,3 @@
-page-to = a
-
 page-app-title = bouncelab: soltar una pelota, oír la física
 page-app-skip = Ir al contenido
 page-app-nav = Páginas
@@ -77,6 +75,7 @@ page-lab-why-air-1 = Una recta por los logaritmos de los tiempos de vuelo (ajust
 page-lab-why-air-2 = Los puntos grises no cuentan el aire; los azules están corregidos por arrastre. Muestran solo la pelota y la superficie.
 page-lab-refining = Calculando la inferencia con aire …
 page-lab-more = Todos los números
+page-lab-other-quantities = Otras magnitudes
 page-lab-tells = Lo que esta grabación determina y lo que no
 page-lab-narrowed-lead = Cuánto redujo la grabación la incertidumbre a priori:
 page-lab-narrowed = { $unknown }: queda { $share } de la anchura
@@ -228,24 +227,6 @@ page-figures-tabs-models = Leyes
 page-figures-tabs-truncation = Truncamiento
 page-figures-tabs-drag = Arrastre
 page-figures-tabs-drag-log = Arrastre (log)
-
-page-quantities-restitution = Coeficiente de restitución e
-page-quantities-at-speed = a { $speed }
-page-quantities-slope = Descenso de la restitución con la velocidad (−d ln e / d ln v)
-page-quantities-drop-height = Altura de caída
-page-quantities-drag = Coeficiente de arrastre
-page-quantities-terminal = Velocidad terminal
-page-quantities-total-time = De la suelta al reposo
-page-quantities-total-path = Recorrido hasta el reposo
-page-quantities-scatter = Dispersión de impacto a impacto
-page-quantities-timing = Error de los tiempos
-page-quantities-contact = Tiempo de contacto
-page-quantities-line-restitution = Ajuste log-lineal: e
-page-quantities-line-height = Ajuste log-lineal: altura de caída
-page-quantities-line-flights = Ajuste log-lineal: vuelos
-page-quantities-energy-kept = Ajuste log-lineal: energía conservada
-page-quantities-corrected = Cada impacto corregido por arrastre, e mediana
-page-quantities-interval = 95 %: { $range }
 
 page-settings-ball = Pelota
 page-settings-air = Aire

@@ -32,27 +32,33 @@ column-inference = inferencia, con aire
 column-plain = g T²/8
 column-95 = 95 %
 column-straight-line = ajuste log-lineal, sin aire
+column-corrected = corregido por arrastre
 
 quantity-restitution = coeficiente de restitución
-quantity-restitution-e = coeficiente de restitución e
 quantity-drop-height = altura de caída
 quantity-energy-kept = energía conservada
-quantity-drag-coefficient = coeficiente de arrastre
+quantity-drag = coeficiente de arrastre
 quantity-terminal-speed = velocidad terminal
 quantity-gravity = gravedad
-quantity-scatter = dispersión de impacto a impacto
-quantity-release-until-rest = de la suelta al reposo
-quantity-path-until-rest = recorrido hasta el reposo
-quantity-height-to-reach = altura desde la que el rebote { $bounce } alcanza { $apex }
+quantity-total-time = tiempo hasta el reposo
+quantity-total-path = recorrido hasta el reposo
+quantity-slope = pendiente de la restitución
+quantity-scatter = dispersión de la restitución
+quantity-timing = errores de los tiempos
+quantity-contact-time = tiempo de contacto
+quantity-height-to-reach = el rebote { $bounce } alcanza { $apex } desde
 
-unknown-restitution = coeficiente de restitución
-unknown-drop-height = altura de caída
-unknown-drag = coeficiente de arrastre
-unknown-slope = pendiente de la restitución
-unknown-scatter = dispersión de la restitución
-unknown-timing = errores de los tiempos
-unknown-contact-time = tiempo de contacto
-unknown-gravity = gravedad
+quantity-interval = 95 %: { $interval }
+quantity-at-speed = a { $speed }
+quantity-of-impacts = mediana de { $count } impactos de { $slowest } a { $fastest } m/s
+quantity-of-flights = antes del primer impacto detectado; { $count ->
+    [one] 1 vuelo
+   *[other] { $count } vuelos
+  }
+quantity-first-fall = antes del primer impacto detectado
+quantity-missed = impactos perdidos antes: { $list }
+quantity-before-data = { $value } antes de los datos
+quantity-known = se toma como conocido
 
 source-impact-timing = tiempos de los impactos
 source-restitution-scatter = dispersión de la restitución

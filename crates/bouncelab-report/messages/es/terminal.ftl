@@ -28,24 +28,11 @@ analyze-drop = { $drops ->
   }
 analyze-line = Ajuste log-lineal
 analyze-line-heading = Ajuste log-lineal de los tiempos de vuelo, sin contar el aire:
-analyze-line-flights = (antes del primer impacto detectado; { $count ->
-    [one] 1 vuelo
-   *[other] { $count } vuelos
-  })
-analyze-until-rest = hasta el reposo
 analyze-corrected = Corregido por arrastre
 analyze-corrected-heading = Corregido por arrastre ({ $ball }, { $law }):
-analyze-corrected-impacts = (mediana de { $count } impactos de { $slowest } a { $fastest } m/s)
 analyze-corrected-too-few = Corregido por arrastre: sin media: { $count } de los impactos están entre dos vuelos, y hacen falta 3.
 analyze-inference = Inferencia
 analyze-inference-heading = Inferencia, con aire ({ $ball }):
-analyze-at-speed = a { $speed }
-analyze-before-data = { $value } antes de los datos
-analyze-known = se toma como conocido
-analyze-first-fall = antes del primer impacto detectado
-analyze-missed = impactos perdidos antes: { $list }
-analyze-reach = el rebote { $bounce } alcanza { $apex } desde
-analyze-interval = 95 %: { $interval }
 
 analyze-details-models = Modelos, con igual probabilidad a priori:
 analyze-details-budget-restitution = Balance de incertidumbre de e:

@@ -1,5 +1,3 @@
-page-to = à
-
 page-app-title = bouncelab : lâcher une balle, entendre la physique
 page-app-skip = Aller au contenu
 page-app-nav = Pages
@@ -77,6 +75,7 @@ page-lab-why-air-1 = Une droite à travers les logarithmes des temps de vol (aju
 page-lab-why-air-2 = Les points gris négligent l’air ; les bleus sont corrigés de la traînée. Ils montrent la balle et la surface seules.
 page-lab-refining = Calcul de l’inférence avec air …
 page-lab-more = Tous les nombres
+page-lab-other-quantities = Autres grandeurs
 page-lab-tells = Ce que cet enregistrement détermine, ou non
 page-lab-narrowed-lead = À quel point l’enregistrement a réduit l’incertitude a priori :
 page-lab-narrowed = { $unknown } : il reste { $share } de la largeur
@@ -228,24 +227,6 @@ page-figures-tabs-models = Lois
 page-figures-tabs-truncation = Troncature
 page-figures-tabs-drag = Traînée
 page-figures-tabs-drag-log = Traînée (log)
-
-page-quantities-restitution = Coefficient de restitution e
-page-quantities-at-speed = à { $speed }
-page-quantities-slope = Décroissance de la restitution avec la vitesse (−d ln e / d ln v)
-page-quantities-drop-height = Hauteur de chute
-page-quantities-drag = Coefficient de traînée
-page-quantities-terminal = Vitesse limite
-page-quantities-total-time = Du lâcher au repos
-page-quantities-total-path = Trajet jusqu’au repos
-page-quantities-scatter = Dispersion d’un impact à l’autre
-page-quantities-timing = Erreur des temps
-page-quantities-contact = Durée de contact
-page-quantities-line-restitution = Ajustement log-linéaire : e
-page-quantities-line-height = Ajustement log-linéaire : hauteur de chute
-page-quantities-line-flights = Ajustement log-linéaire : vols
-page-quantities-energy-kept = Ajustement log-linéaire : énergie conservée
-page-quantities-corrected = Chaque impact corrigé de la traînée, e médian
-page-quantities-interval = 95 % : { $range }
 
 page-settings-ball = Balle
 page-settings-air = Air

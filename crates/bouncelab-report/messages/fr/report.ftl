@@ -33,6 +33,7 @@ report-line-says = L’ajustement log-linéaire des temps de vol, qui néglige l
   }) et { $height }.
 
 report-answers = Inférence avec air, et ajustement log-linéaire sans air
+report-quantities = Autres grandeurs
 report-impacts-heading = Les impacts
 report-impacts-table = Impacts avec le vol qui suit, et restitution sans et avec correction de la traînée (« ? » signale les impacts incertains)
 report-line-heading = L’ajustement log-linéaire

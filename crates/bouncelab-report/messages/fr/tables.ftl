@@ -32,27 +32,33 @@ column-inference = inférence, avec air
 column-plain = g T²/8
 column-95 = 95 %
 column-straight-line = ajustement log-linéaire, sans air
+column-corrected = corrigé de la traînée
 
 quantity-restitution = coefficient de restitution
-quantity-restitution-e = coefficient de restitution e
 quantity-drop-height = hauteur de chute
 quantity-energy-kept = énergie conservée
-quantity-drag-coefficient = coefficient de traînée
+quantity-drag = coefficient de traînée
 quantity-terminal-speed = vitesse limite de chute
 quantity-gravity = pesanteur
-quantity-scatter = dispersion d’un impact à l’autre
-quantity-release-until-rest = du lâcher au repos
-quantity-path-until-rest = trajet jusqu’au repos
-quantity-height-to-reach = hauteur d’où le rebond { $bounce } atteint { $apex }
+quantity-total-time = durée jusqu’au repos
+quantity-total-path = trajet jusqu’au repos
+quantity-slope = pente de la restitution
+quantity-scatter = dispersion de la restitution
+quantity-timing = erreurs des temps
+quantity-contact-time = durée de contact
+quantity-height-to-reach = le rebond { $bounce } atteint { $apex } depuis
 
-unknown-restitution = coefficient de restitution
-unknown-drop-height = hauteur de chute
-unknown-drag = coefficient de traînée
-unknown-slope = pente de la restitution
-unknown-scatter = dispersion de la restitution
-unknown-timing = erreurs des temps
-unknown-contact-time = durée de contact
-unknown-gravity = pesanteur
+quantity-interval = 95 % : { $interval }
+quantity-at-speed = à { $speed }
+quantity-of-impacts = médiane de { $count } impacts de { $slowest } à { $fastest } m/s
+quantity-of-flights = avant le premier impact détecté ; { $count ->
+    [one] { $count } vol
+   *[other] { $count } vols
+  }
+quantity-first-fall = avant le premier impact détecté
+quantity-missed = impacts manqués avant : { $list }
+quantity-before-data = { $value } avant les données
+quantity-known = pris comme connu
 
 source-impact-timing = datation des impacts
 source-restitution-scatter = dispersion de la restitution

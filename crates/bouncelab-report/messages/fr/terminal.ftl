@@ -28,24 +28,11 @@ analyze-drop = { $drops ->
   }
 analyze-line = Ajustement log-linéaire
 analyze-line-heading = Ajustement log-linéaire des temps de vol, air négligé :
-analyze-line-flights = (avant le premier impact détecté ; { $count ->
-    [one] { $count } vol
-   *[other] { $count } vols
-  })
-analyze-until-rest = jusqu’au repos
 analyze-corrected = Corrigé de la traînée
 analyze-corrected-heading = Corrigé de la traînée ({ $ball }, { $law }) :
-analyze-corrected-impacts = (médiane de { $count } impacts de { $slowest } à { $fastest } m/s)
 analyze-corrected-too-few = Corrigé de la traînée : pas de moyenne : { $count } des impacts sont entre deux vols, et il en faut 3.
 analyze-inference = Inférence
 analyze-inference-heading = Inférence, avec air ({ $ball }) :
-analyze-at-speed = à { $speed }
-analyze-before-data = { $value } avant les données
-analyze-known = pris comme connu
-analyze-first-fall = avant le premier impact détecté
-analyze-missed = impacts manqués avant : { $list }
-analyze-reach = le rebond { $bounce } atteint { $apex } depuis
-analyze-interval = 95 % : { $interval }
 
 analyze-details-models = Modèles, de même probabilité a priori :
 analyze-details-budget-restitution = Bilan d’incertitude de e :

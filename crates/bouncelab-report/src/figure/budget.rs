@@ -17,9 +17,8 @@ const LEAST: f64 = 0.0005;
 
 /// Bars for the share of each source in the variance of restitution and drop height, largest first.
 pub(super) fn budget(found: &Posterior, translator: &Translator) -> Chart {
-    let (restitution, height) = (&found.restitution, &found.drop_height_m);
-    let restitution = Quantity::measured(restitution.value, restitution.sd, Unit::Number);
-    let height = Quantity::measured(height.value, height.sd, Unit::Length);
+    let restitution = Quantity::of(&found.restitution, Unit::Number);
+    let height = Quantity::of(&found.drop_height_m, Unit::Length);
     let title = |id: &str, value: Quantity| {
         translator.text_with(&format!("figure-budget-{id}"), &[("value", value.into())])
     };

@@ -1,13 +1,13 @@
 //! One drop in words, numbers and figures.
 
-use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Options};
-use bouncelab::inference::{ApexTarget, Posterior, PriorContraction, UNINFORMATIVE, UNKNOWN};
+use bouncelab::inference::{Posterior, PriorContraction, UNINFORMATIVE};
 use bouncelab::regression::LogLinearFit;
 
 use super::page::{Block, Section, ended, sentence};
 use crate::figure::{self, Subject};
 use crate::messages::{Translator, Value, capital};
+use crate::quantities::{self, Level, Method, QuantityList, Reported};
 use crate::quantity::{Quantity, Unit};
 use crate::table::{Align, Table};
 use crate::tables;
@@ -39,17 +39,17 @@ fn kept(drop: &Drop, words: &Translator) -> String {
             } else {
                 "report-kept-and-fell-first"
             };
-            let share = inline(measured(&found.restitution, Unit::Percent));
-            let height = inline(measured(&found.drop_height_m, Unit::Length));
+            let share = inline(Quantity::of(&found.restitution, Unit::Percent));
+            let height = inline(Quantity::of(&found.drop_height_m, Unit::Length));
             words.text_with(id, &[("share", share), ("height", height)])
         }
         (_, Some(corrected), _) => {
-            let share = inline(estimated(corrected, Unit::Percent));
+            let share = inline(Quantity::of(&corrected, Unit::Percent));
             words.text_with("report-kept", &[("share", share)])
         }
         (.., Ok(line)) => {
-            let share = inline(estimated(line.restitution, Unit::Percent));
-            let height = inline(estimated(line.drop_height_m, Unit::Length));
+            let share = inline(Quantity::of(&line.restitution, Unit::Percent));
+            let height = inline(Quantity::of(&line.drop_height_m, Unit::Length));
             words.text_with(
                 "report-kept-without-air",
                 &[("share", share), ("height", height)],
@@ -86,7 +86,7 @@ fn detected(drop: &Drop, words: &Translator) -> String {
     let Ok(found) = &drop.posterior else {
         return impacts;
     };
-    let value = unbroken(measured(&found.restitution, Unit::Number), words);
+    let value = unbroken(Quantity::of(&found.restitution, Unit::Number), words);
     let speed = unbroken(Quantity::rounded(found.at_speed_m_s, 3, Unit::Speed), words);
     let restitution = [("value", value.into()), ("speed", speed.into())];
     format!(
@@ -103,8 +103,8 @@ fn against_the_line(found: &Posterior, line: &LogLinearFit, words: &Translator) 
         _ if points > 0.0 => "less",
         _ => "more",
     };
-    let share = unbroken(estimated(line.restitution, Unit::Percent), words);
-    let height = unbroken(estimated(line.drop_height_m, Unit::Length), words);
+    let share = unbroken(Quantity::of(&line.restitution, Unit::Percent), words);
+    let height = unbroken(Quantity::of(&line.drop_height_m, Unit::Length), words);
     words.text_with(
         "report-line-says",
         &[
@@ -131,7 +131,8 @@ pub fn drop(
     };
     let notes = drop.diagnostics.iter();
     blocks.extend(notes.map(|known| Block::Note(sentence(&words.diagnostic(known)))));
-    let answers = answers(drop, settings, words);
+    let lists = quantities::of_drop(drop, settings, words);
+    let answers = answers(&lists, words);
     blocks.push(Block::table(words.text("report-answers"), answers));
     let part = Part {
         subject: &Subject::new(drop, settings),
@@ -147,7 +148,13 @@ pub fn drop_details(drop: &Drop, settings: &Options, words: &Translator) -> Vec<
         subject: &Subject::new(drop, settings),
         words,
     };
-    let mut parts = vec![part.impacts(drop), part.straight_line(drop)];
+    let lists = quantities::of_drop(drop, settings, words);
+    let mut parts = vec![
+        part.impacts(drop),
+        part.straight_line(drop),
+        other_quantities(&lists, words),
+    ];
+    parts.retain(|section| !section.is_empty());
     if let Ok(found) = &drop.posterior {
         parts.push(part.uncertainty(found));
         parts.push(part.laws(found));
@@ -157,8 +164,8 @@ pub fn drop_details(drop: &Drop, settings: &Options, words: &Translator) -> Vec<
     parts
 }
 
-/// Inference and log-linear fit side by side.
-fn answers(drop: &Drop, settings: &Options, words: &Translator) -> Table {
+/// The methods with and without air side by side.
+fn answers(lists: &[QuantityList], words: &Translator) -> Table {
     let mut table = Table::with_headings(
         words,
         [
@@ -168,88 +175,61 @@ fn answers(drop: &Drop, settings: &Options, words: &Translator) -> Table {
             ("column-straight-line", Align::Right),
         ],
     );
-    let line = drop.log_linear_fit.as_ref().ok();
-    let found = drop.posterior.as_ref().ok();
-    let mut row = |name: String, inferred: Option<(&Estimate, Unit)>, lined: Option<String>| {
-        if inferred.is_none() && lined.is_none() {
-            return;
+    let (with_air, fitted): (Vec<_>, Vec<_>) = lists
+        .iter()
+        .partition(|list| list.method != Method::LogLinearFit);
+    for id in quantities::ids() {
+        let of_id = |row: &&Reported| row.id == id && row.level < Level::Details;
+        let fitted = fitted.iter().flat_map(|list| &list.rows).find(of_id);
+        let fit_value = fitted.map_or("", |row| &row.value);
+        let mut rows: Vec<[String; 4]> = with_air
+            .iter()
+            .flat_map(|list| list.rows.iter().filter(of_id).map(|row| cells(list, row)))
+            .map(|[title, value, interval]| [title, value, interval, fit_value.to_owned()])
+            .collect();
+        if rows.is_empty() {
+            let alone = fitted.map(|row| {
+                let value = row.value.clone();
+                [row.title(), String::new(), String::new(), value]
+            });
+            rows.extend(alone);
         }
-        let (value, interval) = inferred.map_or_else(Default::default, |(summary, unit)| {
-            let value = Quantity::measured(summary.value, summary.sd, unit);
-            (
-                value.text(words),
-                value.interval_text(summary.interval95, words),
-            )
-        });
-        table.row([name, value, interval, lined.unwrap_or_default()]);
-    };
-    let of_line = |value: fn(&LogLinearFit) -> Option<Estimate>, unit: Unit| {
-        let value = line.and_then(value)?;
-        Some(estimated(value, unit).text(words))
-    };
-    row(
-        words.text("quantity-restitution-e"),
-        found.map(|f| (&f.restitution, Unit::Number)),
-        of_line(|line| Some(line.restitution), Unit::Number),
-    );
-    row(
-        words.text("quantity-drop-height"),
-        found.map(|f| (&f.drop_height_m, Unit::Length)),
-        of_line(|line| Some(line.drop_height_m), Unit::Length),
-    );
-    row(
-        words.text("quantity-energy-kept"),
-        None,
-        of_line(|line| Some(line.energy_kept), Unit::Percent),
-    );
-    let drag = found.and_then(|f| f.drag_coefficient.as_ref());
-    row(
-        words.text("quantity-drag-coefficient"),
-        drag.map(|d| (d, Unit::Number)),
-        None,
-    );
-    let terminal = found.and_then(|f| f.terminal_speed_m_s.as_ref());
-    row(
-        words.text("quantity-terminal-speed"),
-        terminal.map(|t| (t, Unit::Speed)),
-        None,
-    );
-    if settings.priors.gravity_rel_sd >= UNKNOWN {
-        row(
-            words.text("quantity-gravity"),
-            found.map(|f| (&f.gravity_m_s2, Unit::Acceleration)),
-            None,
-        );
-    }
-    row(
-        words.text("quantity-scatter"),
-        found.map(|f| (&f.restitution_scatter, Unit::Percent)),
-        None,
-    );
-    let total_time_s = found.and_then(|f| f.total_time_s.as_ref());
-    row(
-        words.text("quantity-release-until-rest"),
-        total_time_s.map(|t| (t, Unit::Time)),
-        of_line(|line| line.total_time_s, Unit::Time),
-    );
-    let total_path_m = found.and_then(|f| f.total_path_m.as_ref());
-    row(
-        words.text("quantity-path-until-rest"),
-        total_path_m.map(|p| (p, Unit::Length)),
-        of_line(|line| line.total_path_m, Unit::Length),
-    );
-    for prediction in found.iter().flat_map(|f| &f.predictions) {
-        let ApexTarget { bounce, apex_m } = prediction.target;
-        let apex = Quantity::rounded(apex_m, 4, Unit::Length);
-        let target = [("bounce", bounce.into()), ("apex", apex.into())];
-        let height = prediction.drop_height_m.as_ref();
-        row(
-            words.text_with("quantity-height-to-reach", &target),
-            height.map(|h| (h, Unit::Length)),
-            height.is_none().then(|| words.text("unit-cannot-tell")),
-        );
+        for row in rows {
+            table.row(row);
+        }
     }
     table
+}
+
+/// Name, value and interval of a quantity; the name says by which method it is, unless by the inference.
+fn cells(list: &QuantityList, row: &Reported) -> [String; 3] {
+    let title = match list.method {
+        Method::Inference => row.title(),
+        Method::PerImpact | Method::LogLinearFit => format!("{}, {}", row.title(), list.heading),
+    };
+    let interval = row.interval.clone().unwrap_or_default();
+    [title, row.value.clone(), interval]
+}
+
+/// The quantities that explain or check the answers.
+fn other_quantities(lists: &[QuantityList], words: &Translator) -> Section {
+    let mut table = Table::with_headings(
+        words,
+        [
+            ("", Align::Left),
+            ("column-inference", Align::Right),
+            ("column-95", Align::Right),
+        ],
+    );
+    for list in lists {
+        let rows = list.rows.iter().filter(|row| row.level == Level::Details);
+        for row in rows {
+            table.row(cells(list, row));
+        }
+    }
+    let heading = words.text("report-quantities");
+    let blocks = (!table.is_empty()).then(|| Block::table(heading.clone(), table));
+    Section::new(heading, blocks.into_iter().collect())
 }
 
 /// What the parts of a section have in common.
@@ -389,16 +369,4 @@ fn contraction(found: &PriorContraction, words: &Translator) -> String {
 /// A quantity in a sentence: no line ends within it.
 fn unbroken(quantity: Quantity, words: &Translator) -> String {
     quantity.text(words).replace(' ', "\u{a0}")
-}
-
-pub(super) fn measured(summary: &Estimate, unit: Unit) -> Quantity {
-    Quantity::measured(summary.value, summary.sd, unit)
-}
-
-/// A value with its standard error, or with four digits where there is none.
-fn estimated(estimate: Estimate, unit: Unit) -> Quantity {
-    match estimate.known_sd() {
-        Some(error) => Quantity::measured(estimate.value, error, unit),
-        None => Quantity::rounded(estimate.value, 4, unit),
-    }
 }

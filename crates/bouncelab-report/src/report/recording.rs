@@ -4,13 +4,13 @@ use bouncelab::Estimate;
 use bouncelab::analysis::Drop;
 
 use super::conditions::{conditions, priors};
-use super::drop::{drop, drop_details, in_words, measured};
+use super::drop::{drop, drop_details, in_words};
 use super::method::{method, method_in_short};
 use super::page::{Block, Language, Page, Section, ended, sentence};
 use super::subject::{Provenance, Recording};
 use crate::figure::{self, Mark};
 use crate::messages::Translator;
-use crate::quantity::Unit;
+use crate::quantity::{Quantity, Unit};
 use crate::table::{Align, Table};
 
 /// So many drops have sections of their own: a page of a thousand would take 600 MB, and a reader days.
@@ -134,7 +134,7 @@ fn overview(drops: &[Drop], words: &Translator) -> Table {
     for (drop, number) in drops.iter().zip(1..) {
         let found = drop.posterior.as_ref().ok();
         let shown = |summary: Option<&Estimate>, unit| match summary {
-            Some(summary) => measured(summary, unit).text(words),
+            Some(summary) => Quantity::of(summary, unit).text(words),
             None => words.text("unit-cannot-tell"),
         };
         let start = drop.impacts.first();

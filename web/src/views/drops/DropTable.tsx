@@ -1,5 +1,5 @@
 import { handFocusOn } from '../../app/focus.ts';
-import { lengthUnit, PLAIN, plain, uncertain } from '../../format/quantity.ts';
+import { estimated, LENGTH, NUMBER, rounded } from '../../format/quantity.ts';
 import { ballOf, presetOf } from '../../state/comparing.ts';
 import { catalogue } from '../../state/engine.ts';
 import { alter, kept, openKept, remove, stateBallOf, tick, ticked } from '../../state/keeping.ts';
@@ -66,8 +66,8 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
           }}
         />
       </td>
-      <td class="figure">{e ? uncertain(e.value, e.sd, PLAIN, spoken) : ''}</td>
-      <td class="figure">{h ? uncertain(h.value, h.sd, lengthUnit(h.value), spoken) : ''}</td>
+      <td class="figure">{e ? estimated(e.value, e.sd, NUMBER, spoken) : ''}</td>
+      <td class="figure">{h ? estimated(h.value, h.sd, LENGTH, spoken) : ''}</td>
       <td>
         {new Date(drop.keptAt).toLocaleString(region.value, {
           dateStyle: 'short',
@@ -145,21 +145,20 @@ function Summary({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
   const spoken = language.value;
   const e = spreadOf(chosen.map(({ restitution }) => restitution));
   const h = spreadOf(chosen.map(({ dropHeightM }) => dropHeightM));
-  const unit = lengthUnit(h?.mean ?? 0);
   return (
     <tfoot>
       <tr>
         <th colSpan={2}>
           {text('page-drops-mean')} {text('page-drops-of-drops', { count: chosen.length })}
         </th>
-        <td class="figure">{e && uncertain(e.mean, e.meanSd, PLAIN, spoken)}</td>
-        <td class="figure">{h && uncertain(h.mean, h.meanSd, unit, spoken)}</td>
+        <td class="figure">{e && estimated(e.mean, e.meanSd, NUMBER, spoken)}</td>
+        <td class="figure">{h && estimated(h.mean, h.meanSd, LENGTH, spoken)}</td>
         <td colSpan={6} />
       </tr>
       <tr>
         <th colSpan={2}>{text('page-drops-scatter')}</th>
-        <td class="figure">{e?.scatter != null && plain(e.scatter, PLAIN, 2, spoken)}</td>
-        <td class="figure">{h?.scatter != null && plain(h.scatter, unit, 2, spoken)}</td>
+        <td class="figure">{e?.scatter != null && rounded(e.scatter, 2, NUMBER, spoken)}</td>
+        <td class="figure">{h?.scatter != null && rounded(h.scatter, 2, LENGTH, spoken)}</td>
         <td colSpan={6} />
       </tr>
     </tfoot>

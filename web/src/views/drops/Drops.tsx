@@ -2,7 +2,7 @@ import { useEffect } from 'preact/hooks';
 import { focusPage } from '../../app/focus.ts';
 import { Lasting } from '../../app/Lasting.tsx';
 import { Rich } from '../../app/Rich.tsx';
-import { PERCENT, plain, uncertain } from '../../format/quantity.ts';
+import { estimated, PERCENT, rounded } from '../../format/quantity.ts';
 import {
   bringBack,
   canKeep,
@@ -111,12 +111,12 @@ function Scatter() {
   const chosen = compared.value;
   const spread = spreadOf(chosen.map(({ restitution }) => restitution));
   if (!spread || spread.scatter === null) return null;
-  const points = (value: number): string => plain(value, PERCENT, 2, spoken);
+  const points = (value: number): string => rounded(value, 2, PERCENT, spoken);
   return (
     <p class="lead">
       <Rich
         parts={parts('page-drops-scatter-sentence', {
-          mean: uncertain(spread.mean, spread.meanSd, PERCENT, spoken),
+          mean: estimated(spread.mean, spread.meanSd, PERCENT, spoken),
           scatter: points(spread.scatter),
           inside: spread.claimed === null ? '?' : points(spread.claimed),
         })}

@@ -1,6 +1,6 @@
 import { computed, signal } from '@preact/signals';
 import { handFocusOn } from '../../app/focus.ts';
-import { fixed, MILLISECOND, PLAIN, plain, uncertain } from '../../format/quantity.ts';
+import { estimated, fixed, NUMBER, rounded, TIME } from '../../format/quantity.ts';
 import { choose, remove } from '../../state/editing.ts';
 import { drop, marks, selected, workspace } from '../../state/workspace.ts';
 import { language, text } from '../../text/language.ts';
@@ -81,13 +81,13 @@ function Row({ mark, index }: { readonly mark: Mark; readonly index: number }) {
         </button>
       </td>
       <td class="figure">{fixed(mark.timeS, 4, spoken)} s</td>
-      <td class="figure">{next ? plain(next.timeS - mark.timeS, MILLISECOND, 4, spoken) : ''}</td>
+      <td class="figure">{next ? rounded(next.timeS - mark.timeS, 4, TIME, spoken) : ''}</td>
       <td class="figure">
         {mark.probability >= CERTAIN ? sure : <span class="doubt">{sure} ?</span>}
       </td>
       <td class="figure">{mark.levelDb === null ? '' : `${fixed(mark.levelDb, 0, spoken)} dB`}</td>
       <td class="figure">
-        {restitution && uncertain(restitution.value, restitution.sd, PLAIN, spoken)}
+        {restitution && estimated(restitution.value, restitution.sd, NUMBER, spoken)}
       </td>
       <td>
         <button

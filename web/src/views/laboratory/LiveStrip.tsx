@@ -1,5 +1,5 @@
 import { useEffect, useRef } from 'preact/hooks';
-import { PERCENT, plain } from '../../format/quantity.ts';
+import { PERCENT, rounded } from '../../format/quantity.ts';
 import { live, savedS, soFar } from '../../state/listening.ts';
 import { phase } from '../../state/workspace.ts';
 import { language, text } from '../../text/language.ts';
@@ -50,7 +50,7 @@ function RunningSentence() {
   const count = soFar.value?.drop?.impacts.length ?? 0;
   if (count === 0) return <>{text('page-lab-listening')}</>;
   const keeps = soFar.value?.drop?.log_linear_fit?.restitution.value;
-  const share = keeps === undefined ? undefined : plain(keeps, PERCENT, 3, language.value);
+  const share = keeps === undefined ? undefined : rounded(keeps, 3, PERCENT, language.value);
   return (
     <>
       {text('page-lab-so-far', { count })}

@@ -1,5 +1,5 @@
 import { perCent } from '../../format/quantity.ts';
-import type { Diagnostic, PriorContraction, Unknown } from '../../lab/index.ts';
+import type { Diagnostic, PriorContraction } from '../../lab/index.ts';
 import { analysed, drop, refining } from '../../state/workspace.ts';
 import { language, text } from '../../text/language.ts';
 
@@ -41,16 +41,6 @@ function Messages({ of, kind }: MessagesProps) {
   );
 }
 
-/** What may be unknown before the data, by the messages with their names. */
-const UNKNOWNS: Readonly<Record<Unknown, string>> = {
-  drag: 'page-quantities-drag',
-  slope: 'page-quantities-slope',
-  scatter: 'page-quantities-scatter',
-  timing: 'page-quantities-timing',
-  'contact-time': 'page-quantities-contact',
-  gravity: 'page-settings-gravity',
-};
-
 /** How far the data narrowed what was known: the shorter the bar, the more was learnt. */
 function PriorContractions({ narrowed }: { readonly narrowed: readonly PriorContraction[] }) {
   return (
@@ -63,7 +53,7 @@ function PriorContractions({ narrowed }: { readonly narrowed: readonly PriorCont
             <li key={unknown}>
               <span>
                 {text('page-lab-narrowed', {
-                  unknown: text(UNKNOWNS[unknown]),
+                  unknown: analysed.value?.unknowns[unknown] ?? unknown,
                   share: perCent(share, language.value),
                 })}
               </span>

@@ -1,5 +1,5 @@
 import { Rich } from '../../app/Rich.tsx';
-import { fixed, lengthUnit, plain } from '../../format/quantity.ts';
+import { fixed, LENGTH, rounded } from '../../format/quantity.ts';
 import type { Drop } from '../../lab/index.ts';
 import { drop, edited, marks, refining, workspace } from '../../state/workspace.ts';
 import { answerOf } from '../../text/answer.ts';
@@ -94,7 +94,7 @@ function Air({ result }: { readonly result: Drop }) {
         {points > 0.05
           ? text('page-lab-air-explains', { points: fixed(points, 1, spoken) })
           : text('page-lab-air-nothing')}{' '}
-        {text('page-lab-line-height', { height: plain(height, lengthUnit(height), 3, spoken) })}
+        {text('page-lab-line-height', { height: rounded(height, 3, LENGTH, spoken) })}
       </p>
       <Why />
     </div>

@@ -63,7 +63,7 @@ function gravityInWords(): string {
   if (latitude_deg !== undefined)
     return `${text('page-settings-latitude')} ${number(latitude_deg)}°`;
   const g = gravity_m_s2 ?? catalogue.value?.standard_gravity_m_s2 ?? 9.80665;
-  return `${text('page-settings-gravity')} ${number(g)}\u202fm/s²`;
+  return `${text('page-settings-gravity')} ${number(g)}\u00a0m/s²`;
 }
 
 const number = (value: number): string =>

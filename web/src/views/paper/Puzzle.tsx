@@ -3,7 +3,7 @@ import { Paragraphs } from '../../app/Paragraphs.tsx';
 import { Rich } from '../../app/Rich.tsx';
 import { Slider } from '../../app/Slider.tsx';
 import { Figure, useAnswer } from '../../chart/Figure.tsx';
-import { CENTIMETRE, fixed, plain } from '../../format/quantity.ts';
+import { fixed, LENGTH, rounded } from '../../format/quantity.ts';
 import type { PuzzleChoice } from '../../lab/index.ts';
 import { engine } from '../../state/engine.ts';
 import { language, parts, text } from '../../text/language.ts';
@@ -69,7 +69,7 @@ export function Puzzle() {
             <Rich
               parts={parts('page-paper-four-line-says', {
                 e: fixed(answer.restitution, 4, spoken),
-                h: plain(answer.drop_height_m, CENTIMETRE, 3, spoken),
+                h: rounded(answer.drop_height_m, 3, LENGTH, spoken),
               })}
             />{' '}
             {answer.reproduces && <strong>{text('page-paper-four-hit')}</strong>}

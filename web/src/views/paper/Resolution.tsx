@@ -1,4 +1,4 @@
-import { CENTIMETRE, fixed, plain } from '../../format/quantity.ts';
+import { fixed, LENGTH, rounded } from '../../format/quantity.ts';
 import type { Explanation } from '../../lab/index.ts';
 import { language, text } from '../../text/language.ts';
 
@@ -28,7 +28,7 @@ export function Resolution({ puzzle }: { readonly puzzle: readonly Explanation[]
               <td class="figure">{way.flights}</td>
               <td class="figure">{fixed(way.restitution_at_first, 4, spoken)}</td>
               <td class="figure">{fixed(way.restitution_at_slow, 4, spoken)}</td>
-              <td class="figure">{plain(way.drop_height_m, CENTIMETRE, 4, spoken)}</td>
+              <td class="figure">{rounded(way.drop_height_m, 4, LENGTH, spoken)}</td>
               <td>
                 {way.reproduces ? (
                   <strong>{text('page-paper-five-yes')}</strong>

@@ -1,6 +1,6 @@
 import { focusPage, handFocusOn } from '../../app/focus.ts';
 import { Pause, Play } from '../../app/icons.tsx';
-import { fixed } from '../../format/quantity.ts';
+import { fixed, LENGTH, rounded } from '../../format/quantity.ts';
 import { playing, stop } from '../../sound/player.ts';
 import { labAddress } from '../../state/settings.ts';
 import {
@@ -106,7 +106,7 @@ function Runs() {
 
 function inWords({ setup }: Run): string {
   const spoken = language.value;
-  const height = `${fixed(100 * setup.heightM, 1, spoken)} cm`;
+  const height = rounded(setup.heightM, setup.heightM < 1 ? 3 : 4, LENGTH, spoken);
   const world = nameIn(`page-simulate-worlds-${setup.world}`, setup.world);
   return `${ballName(setup.ball)}, ${height}, e ${fixed(setup.restitution, 4, spoken)}, ${world}`;
 }

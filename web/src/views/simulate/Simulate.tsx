@@ -1,6 +1,6 @@
 import { Rich } from '../../app/Rich.tsx';
 import { Figure, useAnswer } from '../../chart/Figure.tsx';
-import { fixed, METRE, METRE_PER_SECOND, PERCENT, plain, SECOND } from '../../format/quantity.ts';
+import { fixed, LENGTH, PERCENT, rounded, SPEED, TIME } from '../../format/quantity.ts';
 import type { Simulation } from '../../lab/index.ts';
 import { engine } from '../../state/engine.ts';
 import { impossible, outcome, requestOf, runs, simulating } from '../../state/simulating.ts';
@@ -50,7 +50,7 @@ export function Simulate() {
 function Outcome({ simulation }: { readonly simulation: Simulation }) {
   const spoken = language.value;
   const energy = simulation.initial_energy_j;
-  const share = (joules: number): string => plain(joules / energy, PERCENT, 2, spoken);
+  const share = (joules: number): string => rounded(joules / energy, 2, PERCENT, spoken);
   const lost = simulation.lost_to_surface_j + simulation.lost_to_air_j;
   return (
     <div class="words" role="status" aria-busy={simulating.value}>
@@ -58,8 +58,8 @@ function Outcome({ simulation }: { readonly simulation: Simulation }) {
         <Rich
           parts={parts('page-simulate-says', {
             bounces: fixed(simulation.bounces.length, 0, spoken),
-            time: plain(simulation.total_time_s, SECOND, 3, spoken),
-            path: plain(simulation.total_path_m, METRE, 3, spoken),
+            time: rounded(simulation.total_time_s, 3, TIME, spoken),
+            path: rounded(simulation.total_path_m, 3, LENGTH, spoken),
           })}
         />
       </p>
@@ -77,7 +77,7 @@ function Outcome({ simulation }: { readonly simulation: Simulation }) {
             simulation.terminal_speed_m_s === null
               ? parts('page-simulate-no-terminal')
               : parts('page-simulate-terminal', {
-                  speed: plain(simulation.terminal_speed_m_s, METRE_PER_SECOND, 2, spoken),
+                  speed: rounded(simulation.terminal_speed_m_s, 2, SPEED, spoken),
                 })
           }
         />

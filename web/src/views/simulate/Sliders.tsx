@@ -1,7 +1,7 @@
 import { SLIDERS, type Slider as SliderName } from '../../address/simulation.ts';
 import { Choice } from '../../app/Choice.tsx';
 import { Slider } from '../../app/Slider.tsx';
-import { CENTIMETRE, fixed, PERCENT, plain } from '../../format/quantity.ts';
+import { fixed, LENGTH, PERCENT, rounded } from '../../format/quantity.ts';
 import { catalogue } from '../../state/engine.ts';
 import { move, setup } from '../../state/simulating.ts';
 import { language, text } from '../../text/language.ts';
@@ -27,7 +27,7 @@ export function Sliders() {
     <div class="sliders">
       <Slider
         label={text('page-simulate-height')}
-        shown={plain(now.heightM, CENTIMETRE, now.heightM < 1 ? 3 : 4, spoken)}
+        shown={rounded(now.heightM, now.heightM < 1 ? 3 : 4, LENGTH, spoken)}
         {...slider('heightM')}
       />
       <Slider
@@ -57,7 +57,7 @@ export function Sliders() {
       />
       <Slider
         label={text('page-simulate-pressure')}
-        shown={plain(now.air, PERCENT, 3, spoken)}
+        shown={rounded(now.air, 3, PERCENT, spoken)}
         disabled={world?.air_density_kg_m3 === 0}
         {...slider('air')}
       />

@@ -24,7 +24,7 @@ pub fn ways(verdict: &Verdict, words: &Translator) -> Table {
     ];
     for (id, estimate, unit) in estimated {
         if let Some(estimate) = estimate {
-            let value = Quantity::measured(estimate.value, estimate.sd, unit);
+            let value = Quantity::of(estimate, unit);
             let interval = value.interval_text(estimate.interval95, words);
             table.row([words.text(id), value.text(words), interval]);
         }
@@ -109,7 +109,7 @@ pub fn drops(drops: &[Rebound], files: &[String], words: &Translator) -> Table {
         }
         row.push(drop.predicted_m.map_or_else(
             || words.text("unit-cannot-tell"),
-            |found| Quantity::measured(found.value, found.sd, Unit::Length).text(words),
+            |found| Quantity::of(&found, Unit::Length).text(words),
         ));
         table.row(row);
     }
