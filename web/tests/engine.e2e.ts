@@ -150,7 +150,7 @@ test('every figure, the report, the table and the paper can be drawn', async () 
     const analysed = await lab.analyse(request);
     const drawn = [await lab.waveform(recording, request)];
     const captions: string[] = [];
-    for (const name of analysed.figures[0] ?? []) {
+    for (const { name } of analysed.figures[0] ?? []) {
       const asked = { request, drop: 0, name, simulation: null };
       drawn.push(await lab.figure(asked));
       captions.push((await lab.chart(asked)).caption);

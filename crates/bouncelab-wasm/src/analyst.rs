@@ -16,7 +16,9 @@ use bouncelab_report::{Chart, csv, tables};
 
 use crate::refusal::{Result, unknown};
 use crate::simulator;
-use crate::wire::{Analysed, AnalysisRequest, Comparable, Drawn, DropMarks, SimulationRequest};
+use crate::wire::{
+    Analysed, AnalysisRequest, Comparable, Drawn, DropMarks, FigureTab, SimulationRequest,
+};
 
 /// So many analyses of single drops are remembered: those of a recording with many drops, and of
 /// the last few edits.
@@ -108,8 +110,7 @@ impl Analysis<'_> {
     }
 
     fn quantities(&self) -> Vec<Vec<QuantityList>> {
-        let of_drop =
-            |drop| quantities::of_drop(drop, &self.setup.options, self.translator);
+        let of_drop = |drop| quantities::of_drop(drop, &self.setup.options, self.translator);
         self.result.drops.iter().map(of_drop).collect()
     }
 
@@ -124,7 +125,19 @@ impl Analysis<'_> {
         named.collect()
     }
 
-    fn figures(&self) -> Vec<Vec<&'static str>> {
+    fn figures(&self) -> Vec<Vec<FigureTab>> {
+        let tab = |name| FigureTab {
+            name,
+            tab: figure::tab(name, self.translator),
+        };
+        let names = self.figure_names().into_iter();
+        names
+            .map(|names| names.into_iter().map(tab).collect())
+            .collect()
+    }
+
+    /// The names of the figures of each drop.
+    fn figure_names(&self) -> Vec<Vec<&'static str>> {
         let of_air: Vec<_> = self.of_air().into_iter().map(|(name, _)| name).collect();
         let of_drop = |drop| {
             let subject = Subject::new(drop, &self.setup.options);
@@ -166,7 +179,7 @@ impl Analysis<'_> {
         };
         of_drop
             .or_else(of_air)
-            .ok_or_else(|| unknown("figure", name, &self.figures().concat()))
+            .ok_or_else(|| unknown("figure", name, &self.figure_names().concat()))
     }
 
     /// The sound with its impacts.

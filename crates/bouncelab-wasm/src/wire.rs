@@ -165,10 +165,20 @@ pub struct Analysed<'a> {
     ///
     /// [`PriorContraction::unknown`]: bouncelab::inference::PriorContraction::unknown
     pub unknowns: BTreeMap<&'static str, String>,
-    /// Names of the figures that there are of each drop.
-    pub figures: Vec<Vec<&'static str>>,
+    /// The figures that there are of each drop.
+    pub figures: Vec<Vec<FigureTab>>,
     /// What each drop adds to a study of many; `null` without an inference.
     pub comparable: Vec<Option<Comparable>>,
+}
+
+/// A figure that a drop has.
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct FigureTab {
+    /// Its name in requests.
+    pub name: &'static str,
+    /// What stands on its tab, in the language of the request.
+    pub tab: String,
 }
 
 /// What a drop adds to a study of many.

@@ -1,20 +1,22 @@
 /** The figure that is looked at, as a chart of the engine. */
 import { computed, effect, signal } from '@preact/signals';
-import type { Chart } from '../lab/index.ts';
+import type { Chart, FigureTab } from '../lab/index.ts';
 import { request } from './analysing.ts';
 import { CoalescingQueue } from './coalescing-queue.ts';
 import { engine } from './engine.ts';
 import { overlay } from './simulating.ts';
 import { analysed, place } from './workspace.ts';
 
-/** Names of the figures that there are of the chosen drop. */
-export const figures = computed<readonly string[]>(
+/** The figures that there are of the chosen drop. */
+export const figures = computed<readonly FigureTab[]>(
   () => analysed.value?.figures[place.value] ?? [],
 );
 const chosen = signal('restitution');
 /** The figure that was chosen, or the first while the analysis has none of this name. */
 export const shown = computed(() =>
-  figures.value.includes(chosen.value) ? chosen.value : (figures.value[0] ?? ''),
+  figures.value.some(({ name }) => name === chosen.value)
+    ? chosen.value
+    : (figures.value[0]?.name ?? ''),
 );
 /** Shows another one. */
 export const show = (name: string): void => {

@@ -20,16 +20,19 @@ axis-speed = Tempo
 axis-time = Zeit
 
 figure-bounce-energies-title = Wohin geht die Energie?
+figure-bounce-energies-tab = Energie
 figure-bounce-energies-caption = Was jeder Aufprall nimmt, und darauf, was die Luft im Flug danach nimmt: je schneller der Ball, desto größer der Anteil der Luft.
 figure-bounce-energies-empty = Hier gibt es keine Energien zu zeigen.
 figure-bounce-energies-air = die Luft, im Flug danach
 figure-bounce-energies-surface = der Aufprall
 
 figure-bounce-heights-title = Wie hoch ist jeder Sprung?
+figure-bounce-heights-tab = Höhen
 figure-bounce-heights-caption = Jeder Sprung behält etwa denselben Anteil der Höhe vor ihm, sodass die Punkte nahe einer Geraden liegen.
 figure-bounce-heights-empty = Hier gibt es keine Höhen zu zeigen.
 
 figure-budget-title = Woher die Unsicherheit kommt
+figure-budget-tab = Unsicherheit
 figure-budget-caption = Jeder Balken ist der Anteil einer Quelle an der Varianz: Wer den Ball besser kennen will, verbessert, was oben steht.
 figure-budget-empty = Hier gibt es keine Unsicherheit zu zerlegen.
 figure-budget-axis = Anteil an der Varianz
@@ -45,6 +48,7 @@ figure-calibration-expected = 99 % der Balken enden hier, wenn alles stimmt
 figure-calibration-rank = Rang der Wahrheit
 
 figure-comparison-title = Der Versuch und eine Simulation davon
+figure-comparison-tab = Vergleich
 figure-comparison-caption = Wo sich die Kurven trennen, fehlt dem Modell etwas, oder ein Aufprall ist keiner.
 figure-comparison-empty = Hier gibt es keine Höhen zu zeigen.
 figure-comparison-best-fit = bestes Modell
@@ -76,17 +80,20 @@ figure-detection-timing-axis = mittlerer Fehler, geteilt durch den der Schranke
 figure-detection-timing-loudness = lautester Aufprall über dem Rauschen
 
 figure-drag-title = Luftwiderstand, verglichen mit dem Gewicht
+figure-drag-tab = Luft
 figure-drag-caption = Der Luftwiderstand wächst fast mit dem Quadrat des Tempos und trägt bei der Endgeschwindigkeit, wo die Kurve 1 erreicht, das ganze Gewicht.
 figure-drag-reached = Der Luftwiderstand wächst fast mit dem Quadrat des Tempos und trägt bei der Endgeschwindigkeit, wo die Kurve 1 erreicht, das ganze Gewicht; dieser Versuch erreichte { $speed }.
 figure-drag-empty = Hier gibt es keine Widerstandskurven zu zeigen.
 figure-drag-fastest = dieser Versuch: bis { $speed }
 
 figure-drag-log-title = Luftwiderstand, verglichen mit dem Gewicht
+figure-drag-log-tab = Luft (log.)
 figure-drag-log-caption = Ein gleichbleibender Beiwert ist hier eine Gerade; die Gesetze trennen sich bei kleinem Tempo, wo der Luftwiderstand nichts mehr ausmacht.
 figure-drag-log-reached = Ein gleichbleibender Beiwert ist hier eine Gerade; die Gesetze trennen sich bei kleinem Tempo, wo der Luftwiderstand nichts mehr ausmacht; dieser Versuch erreichte { $speed }.
 figure-drag-log-empty = Hier gibt es keine Widerstandskurven zu zeigen.
 
 figure-flight-times-title = Die Flugzeiten und die Ausgleichsgerade
+figure-flight-times-tab = Flüge
 figure-flight-times-caption = Ohne Luft dauerte jeder Flug denselben Anteil des vorigen, nach der Geraden { $ratio }; ein Bogen im unteren Feld zeigt Luftwiderstand oder eine Stoßzahl, die sich mit dem Tempo ändert.
 figure-flight-times-no-line = { $count ->
     [one] 1 Flug
@@ -104,6 +111,7 @@ figure-groups-more = Die ersten { $shown } von { $all } Gruppen sind zu sehen.
 figure-groups-empty = Hier gibt es keinen Aufprall mit bekannter Stoßzahl.
 
 figure-height-title = Die Höhe des Balls
+figure-height-tab = Höhe
 figure-height-caption = Jeder Sprung ist niedriger und kürzer als der vorige, sodass unendlich viele in eine endliche Zeit passen.
 figure-height-caption-apexes = Jeder Sprung ist niedriger und kürzer als der vorige; die Punkte sind die gemessenen Scheitel.
 figure-height-caption-models = Die Modelle beginnen gleich und trennen sich mit der Zeit, weil alles, was ein Sprung verliert, die folgenden verkürzt.
@@ -131,18 +139,21 @@ figure-limits-interval = 95 %
 figure-limits-within = innerhalb der Grenzen
 
 figure-models-title = Welches Gesetz ist es?
+figure-models-tab = Gesetze
 figure-models-caption = Je länger der Balken, desto wahrscheinlicher das Gesetz; wo keiner gewinnt, ist die Antwort ein Mittel über alle.
 figure-models-empty = Hier gibt es keine Modelle zu vergleichen.
 figure-models-interval = Fallhöhe, 68 %
 figure-models-probability = Wahrscheinlichkeit
 
 figure-posterior-title = Gemeinsame Verteilung nach den Daten
+figure-posterior-tab = Antwort
 figure-posterior-caption = Eine runde Wolke: Die Daten unterscheiden die beiden Größen. Eine schräge: Was man der einen zugibt, lässt sich der anderen nehmen. Ein Histogramm so breit wie die graue Kurve: Die Daten sagen nichts Neues.
 figure-posterior-empty = Hier gibt es keine Größen zu zeigen.
 figure-posterior-posterior = nach den Daten: 68 % dunkel, 95 % hell
 figure-posterior-prior = vor den Daten
 
 figure-residuals-title = Residuum jedes Aufpralls
+figure-residuals-tab = Abweichung
 figure-residuals-caption = Zwei von drei Aufprallen sollten im dunklen Band liegen, 19 von 20 im hellen; einer weit außerhalb traf eine Kante oder ist kein Aufprall.
 figure-residuals-empty = Hier gibt es keine Abweichungen zu zeigen.
 figure-residuals-axis = Abweichung (in Standardabweichungen)
@@ -150,6 +161,7 @@ figure-residuals-impact = Aufprall
 figure-residuals-odd = Ausreißer, zählt weniger
 
 figure-restitution-title = Die Stoßzahl bei jedem Aufprall
+figure-restitution-tab = Stoßzahl
 figure-restitution-caption = Was der Ball bei jedem Aufprall von seinem Tempo behält; die Lücke zwischen Grau und Blau nimmt die Luft, und eine Gerade hält sie für Verlust beim Aufprall.
 figure-restitution-empty = Hier gibt es keinen Aufprall mit bekannter Stoßzahl.
 figure-restitution-corrected = Luft herausgerechnet
@@ -167,6 +179,7 @@ figure-run-outlier = Ausreißer
 figure-run-unchanged = wenn sich nichts ändert
 
 figure-truncation-title = Hängt die Antwort an der Zahl der benutzten Flüge?
+figure-truncation-tab = Flugzahl
 figure-truncation-caption = Ein richtiges Modell gibt für jede Zahl von Flügen dasselbe Ergebnis; das der Ausgleichsgeraden ändert sich, weil sie die Luft vernachlässigt.
 figure-truncation-empty = Hier gibt es keine Antworten zu vergleichen.
 figure-truncation-flights = benutzte Flüge

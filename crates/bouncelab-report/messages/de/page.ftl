@@ -211,20 +211,6 @@ page-figures-save-png = PNG
 page-figures-save-csv = CSV
 page-figures-save = Diese Abbildung speichern
 
-page-figures-tabs-restitution = Stoßzahl
-page-figures-tabs-flight-times = Flüge
-page-figures-tabs-height = Höhe
-page-figures-tabs-bounce-heights = Höhen
-page-figures-tabs-bounce-energies = Energie
-page-figures-tabs-comparison = Vergleich
-page-figures-tabs-posterior = Antwort
-page-figures-tabs-residuals = Abweichung
-page-figures-tabs-budget = Unsicherheit
-page-figures-tabs-models = Gesetze
-page-figures-tabs-truncation = Flugzahl
-page-figures-tabs-drag = Luft
-page-figures-tabs-drag-log = Luft (log.)
-
 page-settings-ball = Ball
 page-settings-air = Luft
 page-settings-gravity = g

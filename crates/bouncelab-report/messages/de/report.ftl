@@ -57,7 +57,6 @@ report-informative = { $unknown }: Das legen die Daten fest; { $left } % der vor
 report-fit = Wie gut es passt
 report-fit-table = Die Aufpralle, wie die Schätzung sie sieht, mit der Energie, die jeder nahm, und seinem Gewicht darin
 report-sampling = Die Stichprobe ist { $draws } unabhängige Ziehungen wert; ihre Pareto-Form ist { $shape } (gut unter 0,7).
-report-truncation = Ein richtiges Modell gibt für jede Zahl benutzter Flüge dasselbe Ergebnis:
 
 report-air = Die Luft bei diesem Tempo
 report-conditions = Bedingungen und Annahmen

@@ -22,16 +22,19 @@ axis-speed = speed
 axis-time = time
 
 figure-bounce-energies-title = Where does the energy go?
+figure-bounce-energies-tab = Energy
 figure-bounce-energies-caption = The energy lost in each impact, and above it the energy lost to the air in the flight after it: the faster the ball, the larger the share of the air.
 figure-bounce-energies-empty = There are no energies to show.
 figure-bounce-energies-air = the air, in the flight after it
 figure-bounce-energies-surface = the bounce
 
 figure-bounce-heights-title = How high is each bounce?
+figure-bounce-heights-tab = Heights
 figure-bounce-heights-caption = Each bounce reaches about the same share of the height before it, so that the points lie near a straight line.
 figure-bounce-heights-empty = There are no heights to show.
 
 figure-budget-title = Where the uncertainty comes from
+figure-budget-tab = Budget
 figure-budget-caption = Each bar is the share of a source in the variance: to know the ball better, reduce the source at the top.
 figure-budget-empty = There is no uncertainty to show.
 figure-budget-axis = share of the variance
@@ -47,6 +50,7 @@ figure-calibration-expected = 99 % of bars end here if calibrated
 figure-calibration-rank = rank of the truth
 
 figure-comparison-title = The drop and a simulation of it
+figure-comparison-tab = Compare
 figure-comparison-caption = Where the curves differ, the model is incomplete, or an impact is another sound.
 figure-comparison-empty = There are no heights to show.
 figure-comparison-best-fit = best-fit model
@@ -78,17 +82,20 @@ figure-detection-timing-axis = median error over that of the bound
 figure-detection-timing-loudness = loudest impact above the noise
 
 figure-drag-title = Air drag relative to weight
+figure-drag-tab = Drag
 figure-drag-caption = Drag grows nearly with the square of the speed and balances the weight at the terminal speed, where the curve reaches 1.
 figure-drag-reached = Drag grows nearly with the square of the speed and balances the weight at the terminal speed, where the curve reaches 1; this drop reached { $speed }.
 figure-drag-empty = There are no drag curves to show.
 figure-drag-fastest = this drop: up to { $speed }
 
 figure-drag-log-title = Air drag relative to weight
+figure-drag-log-tab = Drag (log)
 figure-drag-log-caption = A constant drag coefficient is a straight line here; the laws differ at low speed, where drag is too weak to matter.
 figure-drag-log-reached = A constant drag coefficient is a straight line here; the laws differ at low speed, where drag is too weak to matter; this drop reached { $speed }.
 figure-drag-log-empty = There are no drag curves to show.
 
 figure-flight-times-title = Flight times and the log-linear fit
+figure-flight-times-tab = Flights
 figure-flight-times-caption = Without air each flight would last the same share of the one before, { $ratio } by the fit; a bend in the lower panel shows drag, or a restitution that changes with speed.
 figure-flight-times-no-line = { $count ->
     [one] 1 flight
@@ -106,6 +113,7 @@ figure-groups-more = The first { $shown } of { $all } groups are shown.
 figure-groups-empty = There are no impacts with a known restitution.
 
 figure-height-title = Height of the ball
+figure-height-tab = Height
 figure-height-caption = Each hop is lower and shorter than the one before, so that infinitely many fit into a finite time.
 figure-height-caption-apexes = Each hop is lower and shorter than the one before; dots are the measured tops of the hops.
 figure-height-caption-models = The models start alike and differ with time, because a lower flight is also shorter.
@@ -133,18 +141,21 @@ figure-limits-interval = 95 %
 figure-limits-within = within the limits
 
 figure-models-title = Which law is the most probable?
+figure-models-tab = Laws
 figure-models-caption = The longer the bar, the more probable the law; where no law dominates, the result is an average over all of them.
 figure-models-empty = There are no models to compare.
 figure-models-interval = drop height, 68 %
 figure-models-probability = probability
 
 figure-posterior-title = Joint posterior
+figure-posterior-tab = Posterior
 figure-posterior-caption = A round cloud: the data separate the two quantities. A tilted one: they are correlated. A histogram as wide as the grey curve: the data add no information to the prior.
 figure-posterior-empty = There are no quantities to show.
 figure-posterior-posterior = after the data: 68 % dark, 95 % light
 figure-posterior-prior = before the data
 
 figure-residuals-title = Residual of each impact
+figure-residuals-tab = Residuals
 figure-residuals-caption = Two of three impacts should lie in the dark band, 19 of 20 in the light one; an impact far outside hit an edge, or is another sound.
 figure-residuals-empty = There are no residuals to show.
 figure-residuals-axis = residual (standard deviations)
@@ -152,6 +163,7 @@ figure-residuals-impact = impact
 figure-residuals-odd = outlier, less weight
 
 figure-restitution-title = Restitution of each impact
+figure-restitution-tab = Restitution
 figure-restitution-caption = Restitution is the speed after an impact over the speed before it. The gap between grey and blue is due to the air; the log-linear fit attributes it to the impact.
 figure-restitution-empty = There are no impacts with a known restitution.
 figure-restitution-corrected = corrected for drag
@@ -169,6 +181,7 @@ figure-run-outlier = outlier
 figure-run-unchanged = if nothing changes
 
 figure-truncation-title = Does the result depend on how many flights are used?
+figure-truncation-tab = Truncation
 figure-truncation-caption = A correct model gives the same result for any number of flights; the result of the log-linear fit changes, because it neglects the air.
 figure-truncation-empty = There are no results to compare.
 figure-truncation-flights = flights used

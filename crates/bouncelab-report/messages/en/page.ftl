@@ -213,20 +213,6 @@ page-figures-save-png = PNG
 page-figures-save-csv = CSV
 page-figures-save = Save this figure
 
-page-figures-tabs-restitution = Restitution
-page-figures-tabs-flight-times = Flights
-page-figures-tabs-height = Height
-page-figures-tabs-bounce-heights = Heights
-page-figures-tabs-bounce-energies = Energy
-page-figures-tabs-comparison = Compare
-page-figures-tabs-posterior = Posterior
-page-figures-tabs-residuals = Residuals
-page-figures-tabs-budget = Budget
-page-figures-tabs-models = Laws
-page-figures-tabs-truncation = Truncation
-page-figures-tabs-drag = Drag
-page-figures-tabs-drag-log = Drag (log)
-
 page-settings-ball = Ball
 page-settings-air = Air
 page-settings-gravity = g

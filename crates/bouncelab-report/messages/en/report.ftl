@@ -59,7 +59,6 @@ report-informative = { $unknown }: determined by the data; { $left } % of the pr
 report-fit = Goodness of fit
 report-fit-table = Impacts in the inference: energy losses, residual and weight in the fit
 report-sampling = The sampling has { $draws } effective draws; its Pareto shape is { $shape } (good below 0.7).
-report-truncation = A correct model gives the same result for any number of flights used:
 
 report-air = The air at these speeds
 report-conditions = Conditions and assumptions

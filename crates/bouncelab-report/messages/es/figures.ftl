@@ -20,16 +20,19 @@ axis-speed = velocidad
 axis-time = tiempo
 
 figure-bounce-energies-title = ¿Adónde va la energía?
+figure-bounce-energies-tab = Energía
 figure-bounce-energies-caption = La energía perdida en cada impacto y, encima, la que se lleva el aire en el vuelo siguiente: cuanto más rápida es la pelota, mayor es la parte del aire.
 figure-bounce-energies-empty = No hay energías que mostrar.
 figure-bounce-energies-air = el aire, en el vuelo siguiente
 figure-bounce-energies-surface = el impacto
 
 figure-bounce-heights-title = ¿Qué altura alcanza cada rebote?
+figure-bounce-heights-tab = Alturas
 figure-bounce-heights-caption = Cada rebote alcanza más o menos la misma fracción de la altura anterior, de modo que los puntos quedan cerca de una recta.
 figure-bounce-heights-empty = No hay alturas que mostrar.
 
 figure-budget-title = De dónde viene la incertidumbre
+figure-budget-tab = Balance
 figure-budget-caption = Cada barra es la parte de una fuente en la varianza: para conocer mejor la pelota, reduzca la fuente de arriba.
 figure-budget-empty = No hay incertidumbre que mostrar.
 figure-budget-axis = parte de la varianza
@@ -45,6 +48,7 @@ figure-calibration-expected = el 99 % de las barras acaba aquí si hay calibraci
 figure-calibration-rank = rango del valor verdadero
 
 figure-comparison-title = El ensayo y su simulación
+figure-comparison-tab = Comparar
 figure-comparison-caption = Donde las curvas se separan, el modelo es incompleto o un impacto es otro sonido.
 figure-comparison-empty = No hay alturas que mostrar.
 figure-comparison-best-fit = mejor modelo
@@ -76,17 +80,20 @@ figure-detection-timing-axis = error mediano relativo a la cota
 figure-detection-timing-loudness = impacto más fuerte sobre el ruido
 
 figure-drag-title = Arrastre del aire relativo al peso
+figure-drag-tab = Arrastre
 figure-drag-caption = El arrastre crece casi con el cuadrado de la velocidad y equilibra el peso a la velocidad terminal, donde la curva llega a 1.
 figure-drag-reached = El arrastre crece casi con el cuadrado de la velocidad y equilibra el peso a la velocidad terminal, donde la curva llega a 1; este ensayo alcanzó { $speed }.
 figure-drag-empty = No hay curvas de arrastre que mostrar.
 figure-drag-fastest = este ensayo: hasta { $speed }
 
 figure-drag-log-title = Arrastre del aire relativo al peso
+figure-drag-log-tab = Arrastre (log)
 figure-drag-log-caption = Un coeficiente de arrastre constante es aquí una recta; las leyes difieren a baja velocidad, donde el arrastre es demasiado pequeño para importar.
 figure-drag-log-reached = Un coeficiente de arrastre constante es aquí una recta; las leyes difieren a baja velocidad, donde el arrastre es demasiado pequeño para importar; este ensayo alcanzó { $speed }.
 figure-drag-log-empty = No hay curvas de arrastre que mostrar.
 
 figure-flight-times-title = Tiempos de vuelo y ajuste log-lineal
+figure-flight-times-tab = Vuelos
 figure-flight-times-caption = Sin aire, cada vuelo duraría la misma fracción del anterior, { $ratio } según el ajuste; una curvatura en el panel inferior revela el arrastre, o una restitución que cambia con la velocidad.
 figure-flight-times-no-line = { $count ->
     [one] 1 vuelo
@@ -104,6 +111,7 @@ figure-groups-more = Se muestran los primeros { $shown } de { $all } grupos.
 figure-groups-empty = No hay impactos de restitución conocida.
 
 figure-height-title = Altura de la pelota
+figure-height-tab = Altura
 figure-height-caption = Cada rebote es más bajo y más corto que el anterior, de modo que infinitos rebotes caben en un tiempo finito.
 figure-height-caption-apexes = Cada rebote es más bajo y más corto que el anterior; los puntos son las alturas máximas medidas.
 figure-height-caption-models = Los modelos empiezan igual y se separan con el tiempo, porque un vuelo más bajo es también más corto.
@@ -131,18 +139,21 @@ figure-limits-interval = 95 %
 figure-limits-within = dentro de los límites
 
 figure-models-title = ¿Qué ley es la más probable?
+figure-models-tab = Leyes
 figure-models-caption = Cuanto más larga la barra, más probable la ley; donde ninguna domina, el resultado es una media de todas.
 figure-models-empty = No hay modelos que comparar.
 figure-models-interval = altura de caída, 68 %
 figure-models-probability = probabilidad
 
 figure-posterior-title = Distribución a posteriori conjunta
+figure-posterior-tab = A posteriori
 figure-posterior-caption = Una nube redonda: los datos separan las dos magnitudes. Una inclinada: están correlacionadas. Un histograma tan ancho como la curva gris: los datos no añaden información a la distribución a priori.
 figure-posterior-empty = No hay magnitudes que mostrar.
 figure-posterior-posterior = después de los datos: 68 % oscuro, 95 % claro
 figure-posterior-prior = antes de los datos
 
 figure-residuals-title = Residuo de cada impacto
+figure-residuals-tab = Residuos
 figure-residuals-caption = Dos de cada tres impactos deberían estar en la banda oscura, 19 de cada 20 en la clara; un impacto muy fuera dio en un borde, o es otro sonido.
 figure-residuals-empty = No hay residuos que mostrar.
 figure-residuals-axis = residuo (desviaciones típicas)
@@ -150,6 +161,7 @@ figure-residuals-impact = impacto
 figure-residuals-odd = atípico, pesa menos
 
 figure-restitution-title = Restitución de cada impacto
+figure-restitution-tab = Restitución
 figure-restitution-caption = La restitución es la velocidad después de un impacto entre la velocidad antes. La separación entre gris y azul se debe al aire; el ajuste log-lineal la atribuye al impacto.
 figure-restitution-empty = No hay impactos de restitución conocida.
 figure-restitution-corrected = corregida por arrastre
@@ -167,6 +179,7 @@ figure-run-outlier = valor atípico
 figure-run-unchanged = si nada cambia
 
 figure-truncation-title = ¿Depende el resultado del número de vuelos usados?
+figure-truncation-tab = Truncamiento
 figure-truncation-caption = Un modelo correcto da el mismo resultado con cualquier número de vuelos; el del ajuste log-lineal cambia, porque no cuenta el aire.
 figure-truncation-empty = No hay resultados que comparar.
 figure-truncation-flights = vuelos usados

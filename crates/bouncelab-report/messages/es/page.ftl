@@ -214,20 +214,6 @@ page-figures-save-png = PNG
 page-figures-save-csv = CSV
 page-figures-save = Guardar esta figura
 
-page-figures-tabs-restitution = Restitución
-page-figures-tabs-flight-times = Vuelos
-page-figures-tabs-height = Altura
-page-figures-tabs-bounce-heights = Alturas
-page-figures-tabs-bounce-energies = Energía
-page-figures-tabs-comparison = Comparar
-page-figures-tabs-posterior = A posteriori
-page-figures-tabs-residuals = Residuos
-page-figures-tabs-budget = Balance
-page-figures-tabs-models = Leyes
-page-figures-tabs-truncation = Truncamiento
-page-figures-tabs-drag = Arrastre
-page-figures-tabs-drag-log = Arrastre (log)
-
 page-settings-ball = Pelota
 page-settings-air = Aire
 page-settings-gravity = g

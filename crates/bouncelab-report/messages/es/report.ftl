@@ -57,7 +57,6 @@ report-informative = { $unknown }: queda determinado por los datos; queda el { $
 report-fit = Bondad del ajuste
 report-fit-table = Impactos en la inferencia: pérdidas de energía, residuo y peso en el ajuste
 report-sampling = El muestreo tiene { $draws } extracciones efectivas; su índice de Pareto es { $shape } (bueno por debajo de 0,7).
-report-truncation = Un modelo correcto da el mismo resultado con cualquier número de vuelos usados:
 
 report-air = El aire a estas velocidades
 report-conditions = Condiciones y supuestos

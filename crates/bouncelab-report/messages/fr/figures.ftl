@@ -20,16 +20,19 @@ axis-speed = vitesse
 axis-time = temps
 
 figure-bounce-energies-title = Où va l’énergie ?
+figure-bounce-energies-tab = Énergie
 figure-bounce-energies-caption = L’énergie perdue à chaque impact et, au-dessus, celle que l’air prend pendant le vol suivant : plus la balle est rapide, plus la part de l’air est grande.
 figure-bounce-energies-empty = Il n’y a pas d’énergie à montrer.
 figure-bounce-energies-air = l’air, pendant le vol suivant
 figure-bounce-energies-surface = le rebond
 
 figure-bounce-heights-title = Quelle hauteur à chaque rebond ?
+figure-bounce-heights-tab = Hauteurs
 figure-bounce-heights-caption = Chaque rebond atteint à peu près la même fraction de la hauteur précédente : les points sont proches d’une droite.
 figure-bounce-heights-empty = Il n’y a pas de hauteur à montrer.
 
 figure-budget-title = D’où vient l’incertitude
+figure-budget-tab = Bilan
 figure-budget-caption = Chaque barre est la part d’une source dans la variance : pour mieux connaître la balle, réduisez la source du haut.
 figure-budget-empty = Il n’y a pas d’incertitude à montrer.
 figure-budget-axis = part de la variance
@@ -45,6 +48,7 @@ figure-calibration-expected = 99 % des barres finissent ici si tout est calibré
 figure-calibration-rank = rang de la valeur vraie
 
 figure-comparison-title = L’essai et sa simulation
+figure-comparison-tab = Comparer
 figure-comparison-caption = Là où les courbes se séparent, le modèle est incomplet, ou un impact est un autre son.
 figure-comparison-empty = Il n’y a pas de hauteur à montrer.
 figure-comparison-best-fit = meilleur modèle
@@ -76,17 +80,20 @@ figure-detection-timing-axis = erreur médiane rapportée à la borne
 figure-detection-timing-loudness = impact le plus fort au-dessus du bruit
 
 figure-drag-title = Traînée de l’air rapportée au poids
+figure-drag-tab = Traînée
 figure-drag-caption = La traînée croît presque comme le carré de la vitesse et équilibre le poids à la vitesse limite, où la courbe atteint 1.
 figure-drag-reached = La traînée croît presque comme le carré de la vitesse et équilibre le poids à la vitesse limite, où la courbe atteint 1 ; cet essai a atteint { $speed }.
 figure-drag-empty = Il n’y a pas de courbe de traînée à montrer.
 figure-drag-fastest = cet essai : jusqu’à { $speed }
 
 figure-drag-log-title = Traînée de l’air rapportée au poids
+figure-drag-log-tab = Traînée (log)
 figure-drag-log-caption = Un coefficient de traînée constant est ici une droite ; les lois diffèrent à faible vitesse, où la traînée est trop petite pour compter.
 figure-drag-log-reached = Un coefficient de traînée constant est ici une droite ; les lois diffèrent à faible vitesse, où la traînée est trop petite pour compter ; cet essai a atteint { $speed }.
 figure-drag-log-empty = Il n’y a pas de courbe de traînée à montrer.
 
 figure-flight-times-title = Temps de vol et ajustement log-linéaire
+figure-flight-times-tab = Vols
 figure-flight-times-caption = Sans air, chaque vol durerait la même fraction du précédent, { $ratio } d’après l’ajustement ; une courbure dans le panneau du bas révèle la traînée, ou une restitution qui change avec la vitesse.
 figure-flight-times-no-line = { $count ->
     [one] { $count } vol
@@ -104,6 +111,7 @@ figure-groups-more = Les { $shown } premiers groupes sur { $all } sont montrés.
 figure-groups-empty = Aucun impact n’a une restitution connue.
 
 figure-height-title = Hauteur de la balle
+figure-height-tab = Hauteur
 figure-height-caption = Chaque rebond est plus bas et plus court que le précédent : une infinité de rebonds tient en un temps fini.
 figure-height-caption-apexes = Chaque rebond est plus bas et plus court que le précédent ; les points sont les sommets mesurés.
 figure-height-caption-models = Les modèles partent ensemble et s’écartent avec le temps, car un vol plus bas est aussi plus court.
@@ -131,18 +139,21 @@ figure-limits-interval = 95 %
 figure-limits-within = dans les limites
 
 figure-models-title = Quelle loi est la plus probable ?
+figure-models-tab = Lois
 figure-models-caption = Plus la barre est longue, plus la loi est probable ; si aucune ne domine, le résultat est une moyenne sur toutes.
 figure-models-empty = Il n’y a pas de modèle à comparer.
 figure-models-interval = hauteur de chute, 68 %
 figure-models-probability = probabilité
 
 figure-posterior-title = Loi a posteriori conjointe
+figure-posterior-tab = A posteriori
 figure-posterior-caption = Un nuage rond : les données séparent les deux grandeurs. Un nuage incliné : elles sont corrélées. Un histogramme aussi large que la courbe grise : les données n’ajoutent rien à l’a priori.
 figure-posterior-empty = Il n’y a pas de grandeur à montrer.
 figure-posterior-posterior = après les données : 68 % foncé, 95 % clair
 figure-posterior-prior = avant les données
 
 figure-residuals-title = Résidu de chaque impact
+figure-residuals-tab = Résidus
 figure-residuals-caption = Deux impacts sur trois devraient être dans la bande foncée, 19 sur 20 dans la claire ; un impact bien en dehors a touché un bord, ou est un autre son.
 figure-residuals-empty = Il n’y a pas de résidu à montrer.
 figure-residuals-axis = résidu (écarts-types)
@@ -150,6 +161,7 @@ figure-residuals-impact = impact
 figure-residuals-odd = aberrant, pèse moins
 
 figure-restitution-title = Restitution de chaque impact
+figure-restitution-tab = Restitution
 figure-restitution-caption = La restitution est le rapport de la vitesse après un impact à la vitesse avant. L’écart entre le gris et le bleu est dû à l’air ; l’ajustement log-linéaire l’attribue à l’impact.
 figure-restitution-empty = Aucun impact n’a une restitution connue.
 figure-restitution-corrected = corrigé de la traînée
@@ -167,6 +179,7 @@ figure-run-outlier = valeur aberrante
 figure-run-unchanged = si rien ne change
 
 figure-truncation-title = Le résultat dépend-il du nombre de vols utilisés ?
+figure-truncation-tab = Troncature
 figure-truncation-caption = Un modèle correct donne le même résultat pour tout nombre de vols ; celui de l’ajustement log-linéaire change, parce qu’il néglige l’air.
 figure-truncation-empty = Il n’y a pas de résultat à comparer.
 figure-truncation-flights = vols utilisés

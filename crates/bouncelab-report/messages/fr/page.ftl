@@ -214,20 +214,6 @@ page-figures-save-png = PNG
 page-figures-save-csv = CSV
 page-figures-save = Enregistrer cette figure
 
-page-figures-tabs-restitution = Restitution
-page-figures-tabs-flight-times = Vols
-page-figures-tabs-height = Hauteur
-page-figures-tabs-bounce-heights = Hauteurs
-page-figures-tabs-bounce-energies = Énergie
-page-figures-tabs-comparison = Comparer
-page-figures-tabs-posterior = A posteriori
-page-figures-tabs-residuals = Résidus
-page-figures-tabs-budget = Bilan
-page-figures-tabs-models = Lois
-page-figures-tabs-truncation = Troncature
-page-figures-tabs-drag = Traînée
-page-figures-tabs-drag-log = Traînée (log)
-
 page-settings-ball = Balle
 page-settings-air = Air
 page-settings-gravity = g

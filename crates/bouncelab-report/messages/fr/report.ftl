@@ -57,7 +57,6 @@ report-informative = { $unknown } : grandeur déterminée par les données ;
 report-fit = Qualité de l’ajustement
 report-fit-table = Impacts dans l’inférence : pertes d’énergie, résidu et poids dans l’ajustement
 report-sampling = L’échantillonnage a { $draws } tirages effectifs ; son indice de Pareto est de { $shape } (bon au-dessous de 0,7).
-report-truncation = Un modèle correct donne le même résultat pour tout nombre de vols utilisés :
 
 report-air = L’air à ces vitesses
 report-conditions = Conditions et hypothèses

@@ -1,8 +1,8 @@
 //! The figures, one file each: data in, a [`Chart`] out.
 //!
 //! Points that are not numbers are left out; a figure without any usable point says so instead of
-//! showing empty axes. A new figure of a drop is a file here and a line in `OF_DROP`: then the program
-//! saves it, and the page shows it.
+//! showing empty axes. A new figure of a drop is a file here and an entry of `OF_DROP`: then the program
+//! saves it, the report has it in its section, and the page shows it under its tab.
 //!
 //! ```
 //! use bouncelab::{Options, analyze_times};
@@ -89,13 +89,35 @@ impl<'a> Subject<'a> {
     }
 }
 
+/// A section of the report of a drop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ReportSection {
+    /// The answer itself.
+    Answer,
+    /// The impacts.
+    Impacts,
+    /// The log-linear fit.
+    LogLinearFit,
+    /// Where the uncertainty comes from.
+    Uncertainty,
+    /// The comparison of the laws.
+    Laws,
+    /// What the data determined.
+    Contraction,
+    /// How well the inference fits.
+    Fit,
+}
+
 /// A figure of a drop.
 #[derive(Clone, Copy)]
 pub struct Figure {
-    /// Lower-case letters and hyphens: its name in files, links and messages.
+    /// Lower-case letters and hyphens: its name in files, links and messages (`figure-NAME-title`, `-caption`,
+    /// `-empty`, and `-tab` for a few letters that name it on the page).
     pub name: &'static str,
+    /// Where the report has it.
+    pub section: ReportSection,
     applies: fn(&Subject<'_>) -> bool,
-    draw: fn(&Subject<'_>, &Translator) -> Chart,
+    draw: Draw,
 }
 
 impl Figure {
@@ -112,57 +134,62 @@ impl fmt::Debug for Figure {
 }
 
 /// Every figure of a drop, in the order in which they are shown.
-const OF_DROP: [Figure; 11] = [
-    always("restitution", restitution::restitution),
-    always("flight-times", flight_times::of_drop),
-    always("height", height::of_drop),
-    always("bounce-heights", bounces::heights),
-    always("bounce-energies", bounces::energies),
-    Figure {
-        name: "comparison",
-        applies: |subject| subject.inference().is_some() || subject.simulation.is_some(),
-        draw: height::comparison,
-    },
-    inferred("posterior", |s, translator| {
-        of_inference(s, "posterior", translator, posterior::posterior)
-    }),
-    inferred("residuals", |s, translator| {
-        of_inference(s, "residuals", translator, residuals::residuals)
-    }),
-    inferred("budget", |s, translator| {
-        of_inference(s, "budget", translator, budget::budget)
-    }),
-    Figure {
-        name: "models",
-        applies: |subject| {
-            subject
-                .inference()
-                .is_some_and(|found| found.models.len() > 1)
+const OF_DROP: [Figure; 11] = {
+    use ReportSection::{Answer, Contraction, Fit, Impacts, Laws, LogLinearFit, Uncertainty};
+    [
+        always("restitution", Answer, restitution::restitution),
+        always("flight-times", LogLinearFit, flight_times::of_drop),
+        always("height", Answer, height::of_drop),
+        always("bounce-heights", Impacts, bounces::heights),
+        always("bounce-energies", Impacts, bounces::energies),
+        Figure {
+            applies: |subject| subject.inference().is_some() || subject.simulation.is_some(),
+            ..always("comparison", Fit, height::comparison)
         },
-        draw: |s, translator| of_inference(s, "models", translator, models::models),
-    },
-    Figure {
-        name: "truncation",
-        applies: |subject| {
-            subject.inference().is_some() && subject.drop.truncation_points().len() > 2
+        inferred("posterior", Contraction, |s, translator| {
+            of_inference(s, "posterior", translator, posterior::posterior)
+        }),
+        inferred("residuals", Fit, |s, translator| {
+            of_inference(s, "residuals", translator, residuals::residuals)
+        }),
+        inferred("budget", Uncertainty, |s, translator| {
+            of_inference(s, "budget", translator, budget::budget)
+        }),
+        Figure {
+            applies: |subject| {
+                subject
+                    .inference()
+                    .is_some_and(|found| found.models.len() > 1)
+            },
+            ..inferred("models", Laws, |s, translator| {
+                of_inference(s, "models", translator, models::models)
+            })
         },
-        draw: truncation::truncation,
-    },
-];
+        Figure {
+            applies: |subject| {
+                subject.inference().is_some() && subject.drop.truncation_points().len() > 2
+            },
+            ..inferred("truncation", Fit, truncation::truncation)
+        },
+    ]
+};
 
-const fn always(name: &'static str, draw: fn(&Subject<'_>, &Translator) -> Chart) -> Figure {
+/// How a figure is drawn.
+type Draw = fn(&Subject<'_>, &Translator) -> Chart;
+
+const fn always(name: &'static str, section: ReportSection, draw: Draw) -> Figure {
     Figure {
         name,
+        section,
         applies: |_| true,
         draw,
     }
 }
 
-const fn inferred(name: &'static str, draw: fn(&Subject<'_>, &Translator) -> Chart) -> Figure {
+const fn inferred(name: &'static str, section: ReportSection, draw: Draw) -> Figure {
     Figure {
-        name,
         applies: |subject| subject.inference().is_some(),
-        draw,
+        ..always(name, section, draw)
     }
 }
 
@@ -176,6 +203,16 @@ fn of_inference(
         Some(found) => draw(found, translator),
         None => Chart::empty(translator, name),
     }
+}
+
+/// The names of the figures that there may be of a drop, in the order in which they are shown.
+pub fn names() -> [&'static str; OF_DROP.len()] {
+    OF_DROP.map(|figure| figure.name)
+}
+
+/// What names a figure of a drop or of the air in a few letters.
+pub fn tab(name: &str, translator: &Translator) -> String {
+    translator.text(&format!("figure-{name}-tab"))
 }
 
 /// The figures that there are of a drop: of what was detected, and of the inference if there is one.

@@ -5,7 +5,7 @@ use bouncelab::inference::{Posterior, PriorContraction, UNINFORMATIVE};
 use bouncelab::regression::LogLinearFit;
 
 use super::page::{Block, Section, ended, sentence};
-use crate::figure::{self, Subject};
+use crate::figure::{self, ReportSection, Subject};
 use crate::messages::{Translator, Value, capital};
 use crate::quantities::{self, Level, Method, QuantityList, Reported};
 use crate::quantity::{Quantity, Unit};
@@ -138,7 +138,7 @@ pub fn drop(
         subject: &Subject::new(drop, settings),
         words,
     };
-    blocks.extend(part.figures(["height", "restitution"]));
+    blocks.extend(part.figures(ReportSection::Answer));
     Section::new(heading, blocks)
 }
 
@@ -240,20 +240,14 @@ struct Part<'a> {
 }
 
 impl Part<'_> {
-    /// A figure of the drop, if there is one of this name.
-    fn figure(self, name: &'static str) -> Option<Block> {
-        let chart = figure::chart(name, self.subject, self.words)?;
-        Some(Block::figure(name, chart))
-    }
-
-    fn figures(self, names: [&'static str; 2]) -> impl Iterator<Item = Block> {
-        names.into_iter().filter_map(move |name| self.figure(name))
+    /// The figures that stand in a section of the report.
+    fn figures(self, section: ReportSection) -> impl Iterator<Item = Block> {
+        let figures = figure::of_drop(self.subject).filter(move |it| it.section == section);
+        figures.map(move |it| Block::figure(it.name, it.chart(self.subject, self.words)))
     }
 
     fn impacts(self, drop: &Drop) -> Section {
-        let mut blocks: Vec<Block> = self
-            .figures(["bounce-heights", "bounce-energies"])
-            .collect();
+        let mut blocks: Vec<Block> = self.figures(ReportSection::Impacts).collect();
         let table = tables::impacts(drop, true, self.words);
         blocks.push(Block::table(self.words.text("report-impacts-table"), table));
         Section::new(self.words.text("report-impacts-heading"), blocks)
@@ -275,7 +269,7 @@ impl Part<'_> {
                     ),
                     None => words.text_with("report-line-flights", &[("count", count.into())]),
                 }));
-                blocks.extend(self.figure("flight-times"));
+                blocks.extend(self.figures(ReportSection::LogLinearFit));
             }
             Err(reason) => {
                 let reason = [(
@@ -301,7 +295,7 @@ impl Part<'_> {
                 tables::budget(&budget.drop_height_m, length, words),
             ),
         ];
-        blocks.extend(self.figure("budget"));
+        blocks.extend(self.figures(ReportSection::Uncertainty));
         Section::new(words.text("report-uncertainty"), blocks)
     }
 
@@ -309,7 +303,7 @@ impl Part<'_> {
         let words = self.words;
         let table = tables::models(found, words);
         let mut blocks = vec![Block::table(words.text("report-laws-table"), table)];
-        blocks.extend(self.figure("models"));
+        blocks.extend(self.figures(ReportSection::Laws));
         Section::new(words.text("report-laws"), blocks)
     }
 
@@ -321,7 +315,7 @@ impl Part<'_> {
             .map(|unknown| contraction(unknown, words))
             .collect();
         let mut blocks = vec![Block::List(sentences)];
-        blocks.extend(self.figure("posterior"));
+        blocks.extend(self.figures(ReportSection::Contraction));
         let table = tables::correlations(found, words);
         blocks.push(Block::table(words.text("report-correlations"), table));
         Section::new(words.text("report-contraction"), blocks)
@@ -330,7 +324,7 @@ impl Part<'_> {
     fn fit(self, found: &Posterior) -> Section {
         let words = self.words;
         let sampling = &found.sampling;
-        let mut blocks: Vec<Block> = self.figure("residuals").into_iter().collect();
+        let mut blocks: Vec<Block> = self.figures(ReportSection::Fit).collect();
         let table = tables::fitted_impacts(found, words);
         blocks.push(Block::table(words.text("report-fit-table"), table));
         blocks.push(Block::text(words.text_with(
@@ -340,10 +334,6 @@ impl Part<'_> {
                 ("shape", Value::fixed(sampling.pareto_shape, 2)),
             ],
         )));
-        if let Some(truncation) = self.figure("truncation") {
-            blocks.push(Block::text(words.text("report-truncation")));
-            blocks.push(truncation);
-        }
         Section::new(words.text("report-fit"), blocks)
     }
 }

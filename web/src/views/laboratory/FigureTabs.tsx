@@ -3,7 +3,6 @@ import { Chart } from '../../chart/Chart.tsx';
 import { NumbersOf } from '../../chart/NumbersOf.tsx';
 import { figure, figures, show, shown } from '../../state/figures.ts';
 import { text } from '../../text/language.ts';
-import { nameIn } from '../../text/names.ts';
 import { SaveFigure } from './SaveFigure.tsx';
 
 /** One figure at a time, each with one sentence on what to see in it. */
@@ -21,10 +20,11 @@ function Tabs() {
   const list = useRef<HTMLDivElement>(null);
   const all = figures.value;
   const step = (by: number): void => {
-    const next = all[(all.indexOf(shown.peek()) + by + all.length) % all.length];
+    const at = all.findIndex(({ name }) => name === shown.peek());
+    const next = all[(at + by + all.length) % all.length];
     if (!next) return;
-    show(next);
-    list.current?.querySelector<HTMLElement>(`#tab-${next}`)?.focus();
+    show(next.name);
+    list.current?.querySelector<HTMLElement>(`#tab-${next.name}`)?.focus();
   };
   return (
     <div
@@ -39,7 +39,7 @@ function Tabs() {
         event.preventDefault();
       }}
     >
-      {all.map((name) => (
+      {all.map(({ name, tab }) => (
         <button
           key={name}
           id={`tab-${name}`}
@@ -52,7 +52,7 @@ function Tabs() {
             show(name);
           }}
         >
-          {nameIn(`page-figures-tabs-${name}`, name)}
+          {tab}
         </button>
       ))}
     </div>
