@@ -303,6 +303,34 @@ fn every_link_within_the_book_leads_somewhere() {
     assert!(broken.is_empty(), "{broken:#?}");
 }
 
+/// The documents outside of the book.
+const OTHERS: [&str; 6] = [
+    "../ARCHITECTURE.md",
+    "../CHANGELOG.md",
+    "../CONTRIBUTING.md",
+    "../README.md",
+    "../SECURITY.md",
+    "../benchmarks/README.md",
+];
+
+#[test]
+fn every_link_of_the_other_documents_leads_somewhere() {
+    let mut broken = Vec::new();
+    for page in OTHERS.map(|path| Page::read(path.into())) {
+        let links = page.links().into_iter();
+        for link in links.filter(|link| !link.contains("://")) {
+            let (path, anchor) = link.split_once('#').unwrap_or((&link, ""));
+            let file = docs().join(&page.path).with_file_name(path);
+            let leads =
+                file.exists() && (anchor.is_empty() || Page::read(file).anchors().contains(anchor));
+            if !leads {
+                broken.push(format!("{}: {link}", name(&page.path)));
+            }
+        }
+    }
+    assert!(broken.is_empty(), "{broken:#?}");
+}
+
 /// A folder with what the pages assume, and the program on the path.
 struct Scene(TempDir);
 

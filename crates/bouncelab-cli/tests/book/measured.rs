@@ -85,7 +85,7 @@ fn summaries_have_the_numbers_of_the_tables() {
     let (trust, inference) = (page("trust.md"), page("validation.md"));
     let (detection, reliability) = (page("listening.md"), page("reliability.md"));
 
-    for name in ["calibration", "worlds"] {
+    for (name, quote, after) in [("calibration", "", " |"), ("worlds", "`", ":")] {
         let table = table(name);
         let scenarios: BTreeSet<&str> = rows(&table)[2..].iter().map(|row| row[0]).collect();
         for scenario in scenarios {
@@ -94,7 +94,7 @@ fn summaries_have_the_numbers_of_the_tables() {
             let of_95: Vec<&str> = coverage.iter().map(|both| both[1]).collect();
             let start = format!("| {scenario} | {}", pairs[0]);
             assert_eq!(row(&inference, &start)[..pairs.len()], pairs);
-            let start = format!("| {scenario} |");
+            let start = format!("| {quote}{scenario}{quote}{after}");
             assert_eq!(row(&trust, &start), of_95);
         }
     }
