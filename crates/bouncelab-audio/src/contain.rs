@@ -1,8 +1,8 @@
-//! A wall around third-party code that reads foreign bytes.
+//! Catches panics of third-party code that reads files.
 //!
-//! Damaged files make some of it panic (an assertion in a codebook, an overflow in a timestamp) where it should
-//! return an error. A measurement program must not die of one bad recording in a folder of good ones, so such a
-//! panic is caught here and becomes an ordinary error. Where panics abort, as on wasm, nothing is caught.
+//! Some of it panics at damaged files (by an assertion in a codebook, an overflow in a timestamp) where it should
+//! return an error. One bad recording in a folder of good ones must not end a program, so such a
+//! panic is caught here and becomes an ordinary error. Where panics abort, as on wasm, none is caught.
 
 use std::cell::Cell;
 use std::panic::{self, AssertUnwindSafe, catch_unwind};
@@ -16,7 +16,7 @@ thread_local! {
 
 /// Runs third-party code; `None` if it panicked.
 ///
-/// Nothing touched by the closure may be used again after that: its state is undefined. A fault of memory in
+/// After a panic nothing that the closure has touched may be used: its state is undefined. A memory fault of
 /// unsafe code is not caught; of the decoders only `opus-pure` has such code.
 ///
 /// ```
@@ -30,9 +30,9 @@ pub fn contain<T>(work: impl FnOnce() -> T) -> Option<T> {
     result
 }
 
-/// Panics that [`contain`] catches are no longer printed: an error says what was wrong. All others are, as before.
+/// Stops the printing of panics that [`contain`] catches; an error reports those. Other panics are printed as before.
 ///
-/// For programs, at their start: how panics are printed belongs to the whole process.
+/// Meant for the start of a program, since the printing of panics concerns the whole process.
 pub fn silence_contained_panics() {
     let print = panic::take_hook();
     panic::set_hook(Box::new(move |panic| {
@@ -42,7 +42,7 @@ pub fn silence_contained_panics() {
     }));
 }
 
-/// As [`contain`], for decoders: a panic is the error for which [`is_panic`] holds. Callers end the stream.
+/// As [`contain`], for decoders: a panic becomes an error for which [`is_panic`] holds. Callers end the stream then.
 pub(crate) fn contain_decoder<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
     contain(work).unwrap_or(Err(Error::LimitError(PANICKED)))
 }

@@ -1,4 +1,4 @@
-//! WAV files with cue markers, which editors and players show at their places.
+//! WAV files with cue markers, which editors and players show at their times.
 //!
 //! A marker is an entry of the chunk `cue ` and its text a chunk `labl` in a list of the type `adtl`; both follow the
 //! samples (Microsoft and IBM, "Multimedia Programming Interface and Data Specifications 1.0", 1991).
@@ -8,7 +8,7 @@ use std::io::{BufWriter, Seek, Write};
 use crate::error::{Error, Result};
 use crate::lost_chunk;
 use crate::source::Source;
-use crate::wav::{Layout, MOST_DATA, SampleFormat, TOO_LONG};
+use crate::wav::{Layout, MAX_DATA_LEN, SampleFormat, TOO_LONG, chunk};
 
 /// A marker in a sound.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,7 +19,7 @@ pub struct Cue {
     pub text: String,
 }
 
-/// Copies a recording into a WAV file of 32-bit floats, in which every sample is as it was, with markers. Blocks are
+/// Copies a recording into a WAV file of 32-bit floats, which represent every sample exactly, with markers. Blocks are
 /// copied as they are read.
 ///
 /// ```
@@ -58,7 +58,7 @@ pub fn copy_with_cues(source: &mut Source, copy: impl Write + Seek, cues: &[Cue]
             }
         }
         copy.write_all(&bytes).map_err(failed)?;
-        if frames * u64::from(layout.frame_len()) > u64::from(MOST_DATA) {
+        if frames * u64::from(layout.frame_len()) > u64::from(MAX_DATA_LEN) {
             return Err(refused(TOO_LONG));
         }
     }
@@ -67,7 +67,7 @@ pub fn copy_with_cues(source: &mut Source, copy: impl Write + Seek, cues: &[Cue]
     let lost = lost_chunk::encode(source.gaps(), rate_hz);
     let chunks = [markers, lost].concat();
     let behind = u32::try_from(chunks.len()).unwrap_or(u32::MAX);
-    if behind > MOST_DATA - data_len {
+    if behind > MAX_DATA_LEN - data_len {
         return Err(refused(TOO_LONG));
     }
     copy.write_all(&chunks).map_err(failed)?;
@@ -77,7 +77,7 @@ pub fn copy_with_cues(source: &mut Source, copy: impl Write + Seek, cues: &[Cue]
     copy.flush().map_err(failed)
 }
 
-/// The chunks of markers in a sound of so many frames.
+/// The chunks of markers in a sound of `frames` frames.
 fn markers(cues: &[Cue], sample_rate_hz: u32, frames: u64) -> std::result::Result<Vec<u8>, String> {
     let (mut points, mut texts) = (Vec::new(), b"adtl".to_vec());
     points.extend_from_slice(&(cues.len() as u32).to_le_bytes());
@@ -93,17 +93,10 @@ fn markers(cues: &[Cue], sample_rate_hz: u32, frames: u64) -> std::result::Resul
     Ok([chunk(*b"cue ", &points), chunk(*b"LIST", &texts)].concat())
 }
 
-/// An entry of the chunk `cue `: its number, its place in the order of playing, the chunk that it is in, where that
-/// and its block begin, and the frame there.
+/// An entry of the chunk `cue `: its number, its position in the order of playing, the chunk that it is in, where that
+/// and its block begin, and the frame in it.
 fn point(number: u32, frame: u32) -> impl Iterator<Item = u8> {
     let data = u32::from_le_bytes(*b"data");
     let fields = [number, frame, data, 0, 0, frame];
     fields.into_iter().flat_map(u32::to_le_bytes)
-}
-
-/// A chunk, padded to an even length.
-pub(crate) fn chunk(name: [u8; 4], content: &[u8]) -> Vec<u8> {
-    let len = content.len() as u32;
-    let padding = &[0][..content.len() % 2];
-    [&name, &len.to_le_bytes(), content, padding].concat()
 }

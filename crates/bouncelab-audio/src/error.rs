@@ -4,30 +4,30 @@ use std::io;
 use crate::formats::SoundFormat;
 use crate::problem::{LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};
 
-/// What can go wrong between a file and its samples or times.
+/// Errors of reading samples or times from a file, of writing a file, and of microphones.
 ///
-/// Each message says which file, what was wrong with it and what to do next. Faults that leave
-/// something worth knowing are no errors: see [`Warning`](crate::Warning).
+/// Each message states the file, what is wrong with it and what to do. Damage that leaves part of the sound readable is a
+/// [`Warning`](crate::Warning) instead.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// There is no such file.
+    /// The file does not exist.
     #[error("{name}: no such file; check the spelling and the folder")]
     NotFound {
         /// The file as the caller named it.
         name: String,
     },
 
-    /// It can be read from the beginning to the end only.
+    /// The path is that of a pipe or a device, which can be read only from the beginning to the end.
     #[error(
-        "{name}: is a pipe or a device, in which no place can be searched; save it as a file first"
+        "{name}: is a pipe or a device, which can be read only once, from beginning to end; save it as a file first"
     )]
     Pipe {
         /// The pipe as the caller named it.
         name: String,
     },
 
-    /// The path leads to a folder.
+    /// The path is that of a folder.
     #[error("{name}: is a folder; name the recordings in it")]
     Directory {
         /// The folder as the caller named it.
@@ -43,7 +43,7 @@ pub enum Error {
         what: MissingContent,
     },
 
-    /// The content is in none of the formats of [`SoundFormat`], whatever the name of the file says.
+    /// The content is in none of the formats of [`SoundFormat`], whatever the name of the file is.
     #[error(
         "{name}: not a sound file: it looks like {looks_like}; the formats that are read are {}",
         SoundFormat::names()
@@ -55,31 +55,31 @@ pub enum Error {
         looks_like: LooksLike,
     },
 
-    /// The format is known, but the file breaks its rules before any sound was decoded.
+    /// The format is known, but the file violates its rules before any sound could be decoded.
     #[error("{name}: damaged or unusual {format} file: cannot {stage} ({detail}); export it again")]
     Malformed {
         /// The file as the caller named it.
         name: String,
-        /// The container, for example "MP4".
+        /// Name of the format, such as "MP4".
         format: &'static str,
-        /// What was being done.
+        /// The stage of reading.
         stage: Stage,
-        /// The complaint of the reader or decoder.
+        /// The error of the demuxer or decoder.
         detail: String,
     },
 
-    /// The container holds no track with sound.
+    /// The file has no track with sound.
     #[error(
         "{name}: this {format} file has no audio track, or none of a known kind; was the microphone off?"
     )]
     NoAudioTrack {
         /// The file as the caller named it.
         name: String,
-        /// The container, for example "MP4".
+        /// Name of the format, such as "MP4".
         format: &'static str,
     },
 
-    /// There is sound, but its codec, or this use of it, cannot be decoded.
+    /// The codec of the sound, or this variant of it, cannot be decoded.
     #[error(
         "{name}: cannot decode the sound in this {format} file: {codec}; \
          convert it, for example with: ffmpeg -i INPUT output.wav"
@@ -87,13 +87,13 @@ pub enum Error {
     UnsupportedCodec {
         /// The file as the caller named it.
         name: String,
-        /// The container, for example "MP4".
+        /// Name of the format, such as "MP4".
         format: &'static str,
-        /// The codec, and what about it is not supported.
+        /// The codec, and what in it is not supported.
         codec: String,
     },
 
-    /// The sound was decoded but is of no use: sampled too slowly, or in too many channels.
+    /// The sound was decoded but is refused: its sample rate is too low or too high, or it has too many channels.
     #[error("{name}: {problem}")]
     UnsupportedLayout {
         /// The file as the caller named it.
@@ -102,29 +102,27 @@ pub enum Error {
         problem: LayoutProblem,
     },
 
-    /// The recording goes on for longer than is read with so many samples a second of all channels.
-    #[error(
-        "{name}: lasts longer than {most_h} hours, which is as much as is read; cut it into parts"
-    )]
+    /// The recording is longer than the maximum for its sample rate and number of channels.
+    #[error("{name}: lasts longer than {max_h} hours, the maximum; cut it into parts")]
     TooLong {
         /// The file as the caller named it.
         name: String,
-        /// How many hours are read at most.
-        most_h: f64,
+        /// The maximum, in hours.
+        max_h: f64,
     },
 
-    /// A list of impact times is not one, nor a sampled waveform in text.
+    /// A file is neither a list of impact times nor a sampled waveform in text.
     #[error("{name}{}: {problem}", AtLine(*line))]
     Times {
         /// The file as the caller named it.
         name: String,
-        /// The line, counted from 1; `None` if the fault is in no particular line.
+        /// The line, counted from 1; `None` if the problem is not in one line.
         line: Option<usize>,
         /// What is wrong and what is expected.
         problem: TimesProblem,
     },
 
-    /// Samples that no WAV file can hold.
+    /// The samples do not fit into a WAV file.
     #[error("{name}: cannot write this sound: {problem}")]
     Unwritable {
         /// The file as the caller named it.
@@ -133,7 +131,7 @@ pub enum Error {
         problem: String,
     },
 
-    /// A recording would overwrite something.
+    /// A recording would overwrite a file.
     #[error("{name}: exists already and is not overwritten; choose another name")]
     Exists {
         /// The file as the caller named it.
@@ -163,7 +161,7 @@ pub enum Error {
 pub type Result<T> = std::result::Result<T, Error>;
 
 impl Error {
-    /// The error for a path the system would not open, read or write.
+    /// The error for a path that the system could not open, read or write.
     pub(crate) fn io(name: &str, source: io::Error) -> Self {
         let name = name.to_owned();
         match source.kind() {
@@ -184,7 +182,7 @@ impl Error {
         }
     }
 
-    /// The error for samples that no WAV file can hold.
+    /// The error for samples that do not fit into a WAV file.
     pub(crate) fn unwritable(name: &str, problem: impl Into<String>) -> Self {
         Self::Unwritable {
             name: name.to_owned(),

@@ -15,7 +15,7 @@ use crate::source::wave;
 
 /// A format of sound files: the container, which holds sound in one of several codecs.
 ///
-/// A file is recognised by its first bytes, whatever its name says.
+/// A file is recognised by its first bytes, whatever its name is.
 ///
 /// ```
 /// use bouncelab_audio::SoundFormat;

@@ -11,7 +11,7 @@ use crate::times;
 use crate::warning::Warning;
 use crate::waveform::Waveform;
 
-/// What a file holds: a recording, or times that something else found in one.
+/// The content of a file: a recording, or impact times that another program or a person measured.
 #[derive(Debug)]
 pub enum Input {
     /// A recording, opened.
@@ -21,8 +21,8 @@ pub enum Input {
 }
 
 impl Input {
-    /// Opens a file: as a list of times if its name ends in `.txt`, `.csv` or `.json`, otherwise
-    /// as sound, whose format is found from the content. A table of a sampled waveform (at least 1000 rows:
+    /// Opens a file: as a list of times if its name has one of the [`times::endings`], otherwise
+    /// as sound, whose format is recognised by its content. A table of a sampled waveform (at least 1000 rows:
     /// time at equal distances, and one column for each channel) is sound too.
     ///
     /// # Errors
@@ -65,7 +65,7 @@ impl Input {
         Source::from_reader(reader, name).map(|source| Self::Sound(Box::new(source)))
     }
 
-    /// A text is a sampled waveform, if it is a table of one, else a list of times.
+    /// Reads a text as a sampled waveform if it is a table of one, else as a list of times.
     fn of_text(bytes: &[u8], name: &str) -> Result<Self> {
         let text = std::str::from_utf8(bytes).unwrap_or_default();
         match Waveform::find(text.trim_start_matches('\u{feff}'), name)? {
@@ -74,9 +74,9 @@ impl Input {
         }
     }
 
-    /// Takes all of it through the detector; the drops are then analysed by whoever has the threads.
+    /// Detects the drops; the tasks of the plan analyse them, in threads of the caller.
     ///
-    /// After each block of sound `watch` is given the seconds that were read, and may end the work with
+    /// After each block of sound `watch` is called with the seconds that were read, and may end the work with
     /// an error of its own.
     ///
     /// # Errors
@@ -117,7 +117,7 @@ impl Input {
         Ok(plan.of_file(&source.format(), warnings))
     }
 
-    /// How long the sound is in seconds, if it is sound and says so.
+    /// Duration of the sound in seconds, if the file is sound and states it.
     pub fn duration_s(&self) -> Option<f64> {
         match self {
             Self::Sound(source) => source.duration_s(),

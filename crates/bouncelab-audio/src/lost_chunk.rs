@@ -1,12 +1,13 @@
-//! Where a recorder lost sound, as a chunk of its WAV file.
+//! The gaps of a recording as a chunk of a WAV file.
 //!
-//! The chunk `lost` is in front of the samples, in a copy behind them. For each gap it has three numbers of 64 bits,
-//! little-endian: the frame with which the silence in its place begins, how many frames of silence there are, and 1 if
-//! that is the length of what is missing, else 0. Other programs skip what they do not know.
+//! [`Recorder`](crate::Recorder) writes the chunk `lost` in front of the samples, [`copy_with_cues`](crate::copy_with_cues)
+//! behind them. For each gap it has three little-endian numbers of 64 bits: the frame with which the silence in its place
+//! begins, the number of frames of silence, and 1 if that is certainly the number of missing frames, else 0. Other
+//! programs skip chunks that they do not know.
 
 use bouncelab::analysis::Gap;
 
-use crate::cues::chunk;
+use crate::wav::chunk;
 
 /// The name of the chunk.
 pub(crate) const NAME: [u8; 4] = *b"lost";
@@ -14,7 +15,7 @@ pub(crate) const NAME: [u8; 4] = *b"lost";
 /// The length of one gap in bytes.
 pub(crate) const GAP_LEN: usize = 24;
 
-/// The chunk of these gaps; nothing without any.
+/// The chunk of these gaps; empty without gaps.
 pub(crate) fn encode(gaps: &[Gap], sample_rate_hz: u32) -> Vec<u8> {
     let frames = |time_s: f64| (time_s * f64::from(sample_rate_hz)).round() as u64;
     let fields = gaps.iter().flat_map(|gap| {
@@ -31,7 +32,7 @@ pub(crate) fn encode(gaps: &[Gap], sample_rate_hz: u32) -> Vec<u8> {
     chunk(NAME, &content)
 }
 
-/// The gaps of the content of a chunk.
+/// The gaps in the content of a chunk.
 pub(crate) fn decode(content: &[u8], sample_rate_hz: u32) -> Vec<Gap> {
     let seconds = |frames: [u8; 8]| u64::from_le_bytes(frames) as f64 / f64::from(sample_rate_hz);
     let (fields, _) = content.as_chunks::<8>();

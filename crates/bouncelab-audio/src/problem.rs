@@ -1,5 +1,4 @@
-//! What exactly is wrong with a file, so that a page can say it in any language; the words here are the
-//! English ones.
+//! Problems of files as data, so that a page can state them in any language; the texts here are English.
 
 use std::fmt;
 
@@ -7,16 +6,16 @@ use serde::Serialize;
 
 use crate::times;
 
-/// What a file that is empty lacks.
+/// What is missing in an empty file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "kebab-case")]
 pub enum MissingContent {
-    /// It has no bytes, or none but tags.
+    /// The file has no bytes, or only those of tags.
     Content,
-    /// It has a header and nothing after it.
+    /// The file has a header and nothing behind it.
     Sound,
-    /// It is a list without a time.
+    /// The file is a list without a time.
     Time,
 }
 
@@ -30,7 +29,7 @@ impl fmt::Display for MissingContent {
     }
 }
 
-/// What a file looks like that is not sound.
+/// The kind of a file that is not sound, as far as its first bytes show it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "kebab-case")]
@@ -74,7 +73,7 @@ impl fmt::Display for LooksLike {
     }
 }
 
-/// What was being done to a file when it turned out to be damaged.
+/// The stage of reading at which a file turned out to be damaged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(rename_all = "kebab-case")]
@@ -97,7 +96,7 @@ impl fmt::Display for Stage {
     }
 }
 
-/// Why sound that can be decoded is of no use.
+/// Why sound that can be decoded is refused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[serde(tag = "code", rename_all = "kebab-case")]
@@ -105,31 +104,31 @@ pub enum LayoutProblem {
     /// Too few samples a second.
     #[error(
         "{sample_rate_hz} samples a second are too few to time an impact (at least \
-         {least_hz} are needed); record again at 44100 if you can"
+         {min_hz} are needed); record again at 44100 if you can"
     )]
     TooSlow {
         /// Samples a second.
         sample_rate_hz: u32,
-        /// The fewest that are of use.
-        least_hz: u32,
+        /// The minimum.
+        min_hz: u32,
     },
     /// More samples a second than any recorder takes.
     #[error(
-        "the header claims {sample_rate_hz} samples a second (at most {most_hz} are read); export it again"
+        "the header claims {sample_rate_hz} samples a second (at most {max_hz} are read); export it again"
     )]
     TooFast {
         /// Samples a second.
         sample_rate_hz: u32,
-        /// The most that are read.
-        most_hz: u32,
+        /// The maximum.
+        max_hz: u32,
     },
     /// More channels than any recorder has.
-    #[error("{channels} channels (at most {most} are read)")]
+    #[error("{channels} channels (at most {max} are read)")]
     TooManyChannels {
-        /// How many.
+        /// Number of channels.
         channels: usize,
-        /// The most that are read.
-        most: usize,
+        /// The maximum.
+        max: usize,
     },
 }
 
@@ -144,19 +143,19 @@ pub enum TimesProblem {
         times::endings().collect::<Vec<_>>().join(", .")
     )]
     Ending,
-    /// It is a device or a pipe.
+    /// The path is that of a device or a pipe.
     #[error("not a file; save the list in one")]
     NotFile,
-    /// It is longer than any list.
-    #[error("more than {most_mb} MB of text; save the sound as WAV")]
+    /// The file is longer than any list.
+    #[error("more than {max_mb} MB of text; save the sound as WAV")]
     TooLong {
-        /// The most that is read, in MB.
-        most_mb: u64,
+        /// The maximum, in MB.
+        max_mb: u64,
     },
-    /// A cell of a sampled waveform that is no number.
+    /// A cell of a sampled waveform is not a number.
     #[error("{text:?} is not a number; below its headings a sampled waveform has numbers alone")]
     NotSample {
-        /// What stands there.
+        /// The text of the cell.
         text: String,
     },
     /// A row of a sampled waveform is too short.
@@ -165,9 +164,9 @@ pub enum TimesProblem {
          every row"
     )]
     FewerColumns {
-        /// How many.
+        /// Number of columns in the line.
         found: usize,
-        /// How many the first row has.
+        /// Number of columns in the first row.
         columns: usize,
     },
     /// The times of a sampled waveform are not at equal distances.
@@ -184,19 +183,19 @@ pub enum TimesProblem {
     /// The content is not UTF-8.
     #[error("not text; save the list as UTF-8")]
     NotText,
-    /// It is no table.
+    /// The file is not a table.
     #[error("{detail}")]
     NotTable {
-        /// The complaint of the reader.
+        /// The error of the parser.
         detail: String,
     },
-    /// It is no array of JSON.
+    /// The file is not an array of JSON.
     #[error("expected an array of numbers, [0.1, 0.45]: {detail}")]
     NotArray {
-        /// The complaint of the reader.
+        /// The error of the parser.
         detail: String,
     },
-    /// It is no `TextGrid` of Praat, or only the beginning of one.
+    /// The file is not a `TextGrid` of Praat, or only the beginning of one.
     #[error("not a TextGrid of Praat, or not all of one; save it from Praat again")]
     NotTextGrid,
     /// The `TextGrid` has no point tier.
@@ -223,7 +222,7 @@ pub enum TimesProblem {
     /// There are several columns without names.
     #[error("{columns} columns; name the one with the times in a first line: time_s")]
     NamelessColumns {
-        /// How many.
+        /// Number of columns in the line.
         columns: usize,
     },
     /// A line has cells in columns that the first line does not name.
@@ -232,26 +231,26 @@ pub enum TimesProblem {
          with semicolons"
     )]
     MoreColumns {
-        /// How many.
+        /// Number of columns in the line.
         found: usize,
-        /// How many the first line has.
+        /// Number of columns in the first line.
         columns: usize,
     },
     /// A line is too short.
     #[error("the time is missing")]
     Missing,
-    /// Something that is no number.
+    /// A cell is not a number.
     #[error("{text:?} is not a time in seconds; expected a number such as 0.125")]
     NotNumber {
-        /// What stands there.
+        /// The text of the cell.
         text: String,
     },
-    /// Times that do not grow.
+    /// The times do not increase.
     #[error("{time_s} is not later than {before_s} before it; list impacts in order")]
     NotLater {
-        /// The time that does not follow.
+        /// The time that is not later.
         time_s: f64,
-        /// The one before it.
+        /// The time before it.
         before_s: f64,
     },
 }

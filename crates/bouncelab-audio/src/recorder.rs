@@ -7,24 +7,23 @@ use std::path::Path;
 use bouncelab::Plain;
 use bouncelab::analysis::Gap;
 
-use crate::cues::chunk;
 use crate::error::{Error, Result};
 use crate::lost_chunk;
-use crate::wav::{self, Layout, MOST_DATA, SampleFormat, TOO_LONG};
+use crate::wav::{self, Layout, MAX_DATA_LEN, SampleFormat, TOO_LONG, chunk};
 
-/// The length of the header: one page, which is on a disk as it was or as it became, never in part. What the fields of
-/// a WAV leave of it is for the places where sound was lost.
+/// The length of the header in bytes: one page, which a disk writes as a whole or not at all. The part that the fields of
+/// a WAV leave holds the places where sound was lost.
 const HEADER_LEN: usize = 4096;
 
-/// So many places fit.
-const MOST_GAPS: usize = (HEADER_LEN - wav::HEADER_LEN as usize - 2 * 8) / lost_chunk::GAP_LEN;
+/// Maximum number of places that fit.
+const MAX_GAPS: usize = (HEADER_LEN - wav::HEADER_LEN as usize - 2 * 8) / lost_chunk::GAP_LEN;
 
-/// A WAV file that is written while the sound comes, and can be read at any time.
+/// A WAV file that is written during a recording, and can be read at any time.
 ///
-/// Every second of sound is handed to the system; when it is on the disk, a header that counts it follows. So
-/// after a crash of the program or a loss of power, or on a full disk, the file is a whole recording that lacks at most
-/// the last two seconds, and no header counts what is not there.
-/// [`Recorder::finish`] hands over the rest and waits for the disk. The header also says where sound was lost
+/// Each second of sound is written when it is complete; when it is on the disk, a header that counts it follows. So
+/// after a crash of the program or a loss of power, or on a full disk, the file is a valid recording that lacks at most
+/// the last two seconds, and its header never counts sound that is missing.
+/// [`Recorder::finish`] writes the rest and waits for the disk. The header also states where sound was lost
 /// ([`Recorder::note_gap`]), which [`Source`](crate::Source) reads back.
 ///
 /// ```
@@ -44,24 +43,24 @@ pub struct Recorder<W: Store = File> {
     name: String,
     layout: Layout,
     file: W,
-    /// Encoded samples that were not handed over yet.
+    /// Encoded samples that were not written yet.
     waiting: Vec<u8>,
-    /// How many bytes of samples the header counts.
+    /// Number of bytes of samples that the header counts.
     data_len: u32,
-    /// The most bytes of samples.
-    most_data: u32,
-    /// Where sound was lost.
+    /// Maximum number of bytes of samples.
+    max_data_len: u32,
+    /// The places where sound was lost.
     gaps: Vec<Gap>,
-    /// The file took no more.
+    /// Whether writing has failed: nothing more is written.
     is_closed: bool,
 }
 
-/// Where a recording is kept.
+/// A file, or what takes its place, that a [`Recorder`] writes.
 pub trait Store: Write + Seek {
-    /// Waits until all that was written is where it outlives a loss of power.
+    /// Waits until everything that was written would survive a loss of power.
     ///
     /// # Errors
-    /// What the system reports.
+    /// The error that the system reports.
     fn sync(&self) -> io::Result<()>;
 }
 
@@ -72,7 +71,7 @@ impl Store for File {
 }
 
 impl Recorder {
-    /// Creates the file; one that exists is left alone.
+    /// Creates the file; an existing file is not changed.
     ///
     /// # Errors
     ///
@@ -93,7 +92,7 @@ impl Recorder {
             .map_err(|reason| Error::io(&name, reason))
     }
 
-    /// Hands over everything, waits until it is on the disk, and closes the file.
+    /// Writes the rest, waits until it is on the disk, and closes the file.
     ///
     /// # Errors
     ///
@@ -102,7 +101,7 @@ impl Recorder {
         if self.is_closed {
             return Ok(());
         }
-        self.hand_over()?;
+        self.write_out()?;
         self.file
             .sync()
             .map_err(|reason| Error::io(&self.name, reason))
@@ -117,7 +116,7 @@ impl<W: Store> Recorder<W> {
             file,
             waiting: Vec::new(),
             data_len: 0,
-            most_data: MOST_DATA - HEADER_LEN as u32,
+            max_data_len: MAX_DATA_LEN - HEADER_LEN as u32,
             gaps: Vec::new(),
             is_closed: false,
         };
@@ -128,7 +127,7 @@ impl<W: Store> Recorder<W> {
     /// The same file with a size limit of its samples, in bytes, below the 4 GB that a WAV can have.
     #[must_use]
     pub fn with_size_limit(mut self, bytes: u32) -> Self {
-        self.most_data = self.most_data.min(bytes);
+        self.max_data_len = self.max_data_len.min(bytes);
         self
     }
 
@@ -137,22 +136,23 @@ impl<W: Store> Recorder<W> {
         &self.name
     }
 
-    /// How many seconds of sound the file holds for certain.
+    /// Seconds of sound that are in the file, counted by its header.
     pub fn saved_s(&self) -> f64 {
         let frames = self.data_len / u32::from(self.layout.frame_len());
         f64::from(frames) / f64::from(self.layout.sample_rate_hz)
     }
 
-    /// How many frames still fit: a WAV file cannot hold more than 4 GB.
+    /// Number of frames that still fit: a WAV file cannot hold more than 4 GB.
     pub fn room_frames(&self) -> u64 {
-        let taken = u64::from(self.data_len) + self.waiting.len() as u64;
-        u64::from(self.most_data).saturating_sub(taken) / u64::from(self.layout.frame_len())
+        let used = u64::from(self.data_len) + self.waiting.len() as u64;
+        u64::from(self.max_data_len).saturating_sub(used) / u64::from(self.layout.frame_len())
     }
 
-    /// Notes that sound was lost; the silence in its place is pushed as any other sound. It is in the file with the
-    /// samples that come next, or at the end. What goes beyond 168 gaps is one of unknown length with the last of them.
+    /// Notes that sound was lost; the silence in its place is pushed as any other sound. The note is written with the
+    /// next samples, or at the end. Gaps beyond the 168 that fit are joined with the last one, whose length is then
+    /// uncertain.
     pub fn note_gap(&mut self, gap: Gap) {
-        match self.gaps.get_mut(MOST_GAPS - 1) {
+        match self.gaps.get_mut(MAX_GAPS - 1) {
             Some(last) => {
                 last.duration_s = gap.end_s() - last.start_s;
                 last.certain = false;
@@ -161,13 +161,13 @@ impl<W: Store> Recorder<W> {
         }
     }
 
-    /// Takes the next samples of every channel, in `-1.0..1.0`. What is not a number becomes 0.
+    /// Takes the next samples of every channel, in `-1.0..1.0`. Samples that are not numbers become 0.
     ///
     /// # Errors
     ///
     /// [`Error::Io`] if the system fails to write, for example because the disk is full;
     /// [`Error::Unwritable`] if the file cannot grow further. The file then ends with the last whole
-    /// frame that it took, its header says so, and nothing more is written: later calls do
+    /// frame that was written, its header counts it, and nothing more is written: later calls do
     /// nothing.
     ///
     /// # Panics
@@ -188,15 +188,15 @@ impl<W: Store> Recorder<W> {
         }
         let frames = channels[0].len();
         if frames as u64 > self.room_frames() {
-            self.hand_over()?;
+            self.write_out()?;
             self.is_closed = true;
             return Err(Error::unwritable(&self.name, TOO_LONG));
         }
-        let second = self.layout.sample_rate_hz as usize * usize::from(self.layout.frame_len());
-        let more = frames * usize::from(self.layout.frame_len());
-        // No more than a second is on the disk without being counted, unless it comes at once.
-        if !self.waiting.is_empty() && self.waiting.len() + more > second {
-            self.hand_over()?;
+        let second_len = self.layout.sample_rate_hz as usize * usize::from(self.layout.frame_len());
+        let block_len = frames * usize::from(self.layout.frame_len());
+        // At most one second is written between two headers, unless a longer block comes at once.
+        if !self.waiting.is_empty() && self.waiting.len() + block_len > second_len {
+            self.write_out()?;
         }
         for frame in 0..frames {
             for channel in channels {
@@ -205,17 +205,19 @@ impl<W: Store> Recorder<W> {
                 format.encode(sample.unwrap_or(0.0), &mut self.waiting);
             }
         }
-        if self.waiting.len() >= second {
-            self.hand_over()?;
+        if self.waiting.len() >= second_len {
+            self.write_out()?;
         }
         Ok(())
     }
 
-    /// Hands over what waits and, when that is on the disk, a header that counts it.
-    fn hand_over(&mut self) -> Result<()> {
+    /// Writes the waiting samples and, when they are on the disk, a header that counts them.
+    fn write_out(&mut self) -> Result<()> {
         let (taken, written) = self.write_waiting();
+        // On a full disk the last frame may be incomplete.
         let whole = taken - taken % usize::from(self.layout.frame_len());
         self.waiting.clear();
+        // The header comes last: it must never count samples that a loss of power may take.
         let synced = self.file.sync();
         let counted = synced.and_then(|()| self.write_header(self.data_len + whole as u32));
         written.and(counted).map_err(|reason| {
@@ -224,7 +226,7 @@ impl<W: Store> Recorder<W> {
         })
     }
 
-    /// Writes what waits behind what the header counts; also tells how many bytes of samples the file took.
+    /// Writes the waiting samples behind those that the header counts; returns the number of bytes that were written, too.
     fn write_waiting(&mut self) -> (usize, io::Result<()>) {
         let end = HEADER_LEN as u64 + u64::from(self.data_len);
         if let Err(reason) = self.file.seek(SeekFrom::Start(end)) {
@@ -239,12 +241,12 @@ impl<W: Store> Recorder<W> {
                 Err(reason) => return (taken, Err(reason)),
             }
         }
-        // By the rules of the format a chunk of odd length is followed by one more byte.
+        // In WAV files a chunk of odd length is padded by one byte.
         let padding = (self.data_len as usize + taken) % 2;
         (taken, self.file.write_all(&[0][..padding]))
     }
 
-    /// Writes a header that counts so many bytes of samples.
+    /// Writes a header that counts `data_len` bytes of samples.
     fn write_header(&mut self, data_len: u32) -> io::Result<()> {
         let more = HEADER_LEN - wav::HEADER_LEN as usize;
         let plain = self.layout.header(data_len, more as u32);
@@ -261,12 +263,12 @@ impl<W: Store> Recorder<W> {
     }
 }
 
-/// What waits is handed over even if the recorder is dropped on the way out of a failure.
+/// Waiting samples are written even if the recorder is dropped because of an error elsewhere.
 impl<W: Store> Drop for Recorder<W> {
     fn drop(&mut self) {
         if !self.is_closed && !self.waiting.is_empty() {
-            // Nobody is left to be told.
-            let _ = self.hand_over();
+            // The error cannot be returned here.
+            let _ = self.write_out();
         }
     }
 }
@@ -279,7 +281,7 @@ mod tests {
     use super::*;
     use crate::{Source, Warning};
 
-    /// A disk with a capacity of so many bytes, on which what is there can be overwritten.
+    /// A disk with a capacity in bytes, on which written bytes can be overwritten.
     struct Disk {
         content: Cursor<Vec<u8>>,
         capacity: usize,
@@ -324,7 +326,7 @@ mod tests {
         Recorder::start("test", layout, disk).unwrap()
     }
 
-    /// What a reader sees now: the samples of the first channel.
+    /// The samples of the first channel that a reader gets now.
     fn read(recorder: &Recorder<Disk>) -> Vec<f32> {
         let bytes = recorder.file.content.get_ref().clone();
         let mut source = Source::from_bytes(bytes, "test.wav").unwrap();
@@ -409,15 +411,15 @@ mod tests {
             }
             recorder.push(&[&second]).unwrap();
             let bytes = recorder.file.content.get_ref().clone();
-            let said = u32::from_le_bytes(*bytes[4..].first_chunk().unwrap());
-            assert_eq!(said as usize + 8, bytes.len());
+            let stated = u32::from_le_bytes(*bytes[4..].first_chunk().unwrap());
+            assert_eq!(stated as usize + 8, bytes.len());
             let source = Source::from_bytes(bytes, "test.wav").unwrap();
             assert_eq!(source.gaps(), expected);
             assert_eq!(source.warnings().len(), expected.len());
         }
     }
 
-    /// More than fit are one, of which nothing is believed.
+    /// Gaps beyond those that fit are joined into one that is uncertain.
     #[test]
     fn gaps_beyond_those_that_fit_are_of_unknown_length() {
         let mut recorder = recorder(usize::MAX, 1, SampleFormat::Int16);
@@ -426,17 +428,17 @@ mod tests {
             duration_s: 0.0625,
             certain: true,
         };
-        (0..=MOST_GAPS).for_each(|number| recorder.note_gap(gap(number)));
+        (0..=MAX_GAPS).for_each(|number| recorder.note_gap(gap(number)));
         recorder.push(&[&ramp(24 * 8_000)]).unwrap();
         let bytes = recorder.file.content.get_ref().clone();
         let source = Source::from_bytes(bytes, "test.wav").unwrap();
         let (last, before) = source.gaps().split_last().unwrap();
-        let expected: Vec<Gap> = (0..MOST_GAPS - 1).map(gap).collect();
+        let expected: Vec<Gap> = (0..MAX_GAPS - 1).map(gap).collect();
         assert_eq!(before, expected);
         let joined = Gap {
             duration_s: 0.1875,
             certain: false,
-            ..gap(MOST_GAPS - 1)
+            ..gap(MAX_GAPS - 1)
         };
         assert_eq!(*last, joined);
     }
@@ -450,14 +452,14 @@ mod tests {
         assert_eq!(read(&recorder), ramp(9_000));
     }
 
-    /// What a recorder asks of a disk.
+    /// A call of a recorder to a disk.
     #[derive(Debug)]
     enum Asked {
         Write(usize, Vec<u8>),
         Sync,
     }
 
-    /// A disk that remembers what was asked of it.
+    /// A disk that records these calls.
     #[derive(Default)]
     struct Log {
         asked: RefCell<Vec<Asked>>,
@@ -495,8 +497,8 @@ mod tests {
         }
     }
 
-    /// Whatever a disk made of it, in whatever order: of each page that was written since it was last waited for it
-    /// has what it had or what it was given.
+    /// Each page that was written since the last sync may have its old or its new content, whatever the order in which
+    /// the disk wrote them.
     #[test]
     fn a_loss_of_power_leaves_no_recording_that_looks_whole_and_is_not() {
         const PAGE: usize = 4096;
@@ -509,7 +511,7 @@ mod tests {
             duration_s: 0.25,
             certain: true,
         };
-        // No sample is zero, as a page is that was never written.
+        // No sample is zero, so that a page that was never written, which has zeros, is recognised.
         let sound: Vec<f32> = ramp(36_001)[1..].iter().map(|it| it / 2.0).collect();
         let layout = Layout::new("test", RATE_HZ, 1, SampleFormat::Int24).unwrap();
         let mut recorder = Recorder::start("test", layout, Log::default()).unwrap();
@@ -519,13 +521,13 @@ mod tests {
             }
             recorder.push(&[block]).unwrap();
         }
-        recorder.hand_over().unwrap();
+        recorder.write_out().unwrap();
         recorder.file.sync().unwrap();
         let asked = recorder.file.asked.take();
 
         let (mut disk, mut pages) = (Vec::new(), Vec::<(usize, &[u8])>::new());
-        // Sound that was handed over, and how much of it when the disk was last waited for.
-        let (mut handed_over, mut synced, mut tried) = (0, 0, 0);
+        // Bytes of sound that were written, and how many of them at the last sync.
+        let (mut written, mut synced, mut tried) = (0, 0, 0);
         for asked in &asked {
             match asked {
                 Asked::Sync => {
@@ -534,10 +536,10 @@ mod tests {
                     }
                     let counted = disk[PAGE - 4..PAGE].first_chunk().unwrap();
                     assert_eq!(u32::from_le_bytes(*counted), synced);
-                    synced = handed_over;
+                    synced = written;
                 }
                 Asked::Write(at, bytes) => {
-                    handed_over += if *at < PAGE { 0 } else { bytes.len() as u32 };
+                    written += if *at < PAGE { 0 } else { bytes.len() as u32 };
                     let mut rest = bytes.as_slice();
                     while !rest.is_empty() {
                         let at = at + bytes.len() - rest.len();
@@ -564,8 +566,8 @@ mod tests {
         assert!(tried > 500, "{tried} disks");
     }
 
-    /// What is left of a recording is its beginning, at least all that is `certain`, with the place where sound was
-    /// lost; or it says that it is not whole, or cannot be read.
+    /// The file is the beginning of the recording, at least its `certain` frames, with the place where sound was
+    /// lost; or it is reported as cut short, or cannot be read.
     fn assert_is_beginning(left: Vec<u8>, certain: usize, sound: &[f32], lost: Gap) {
         let Ok(mut source) = Source::from_bytes(left, "test.wav") else {
             assert_eq!(certain, 0);
@@ -590,7 +592,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_becomes_silence() {
+    fn samples_that_are_not_numbers_become_silence() {
         let mut recorder = recorder(usize::MAX, 1, SampleFormat::Float32);
         let samples = [f32::NAN, 0.5, f32::INFINITY].repeat(3_000);
         recorder.push(&[&samples]).unwrap();

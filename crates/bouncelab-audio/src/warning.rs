@@ -1,71 +1,71 @@
 use bouncelab::analysis::Gap;
 use bouncelab::diagnostic::{Code, Diagnostic};
 
-/// A fault in a recording that did not stop it from being read.
+/// Damage in a recording that could be read nevertheless.
 ///
-/// A [`Source`](crate::Source) gathers them while it is read; the list is complete once
+/// A [`Source`](crate::Source) collects warnings while it is read; the list is complete once
 /// [`next_block`](crate::Source::next_block) has returned `None`. Times are in seconds of the
 /// presented sound, as everywhere in this crate.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Warning {
-    /// The file ends before its own header says, or in the middle of something.
+    /// The file ends earlier than its header announces, or within a packet.
     Truncated {
-        /// How much sound could be read.
+        /// Duration of the sound that could be read.
         read_s: f64,
-        /// How much was announced, where the file says so.
+        /// Announced duration, if the file states one.
         expected_s: Option<f64>,
     },
-    /// Samples that are no numbers (NaN or infinite). Each was replaced by zero.
+    /// Samples are not numbers (NaN or infinite). Each was replaced by zero.
     NonFinite {
-        /// How many samples, over all channels.
+        /// Number of samples, in all channels together.
         samples: u64,
-        /// Where the first one is.
+        /// Time of the first one.
         first_s: f64,
     },
-    /// Sound was lost, in recording or by damage to the file. Silence of the same length stands in
-    /// its place, so that all later times hold.
+    /// Sound was lost during recording or by damage to the file. It was replaced by silence of the same length, so
+    /// that all later times are right.
     Missing {
-        /// In how many places.
+        /// Number of places.
         places: u64,
-        /// Where the first one is.
+        /// Time of the first one.
         first_s: f64,
-        /// How much is missing in all of them.
+        /// Duration that is missing in all of them together.
         missing_s: f64,
     },
-    /// Sound was lost, and the file does not say how much: times before and after such a place do not
-    /// belong together.
+    /// Sound was lost, and the file does not state how much: differences between times before and after such a place
+    /// are unknown.
     ClockLost {
-        /// In how many places.
+        /// Number of places.
         places: u64,
-        /// Where the first one is.
+        /// Time of the first one.
         first_s: f64,
     },
-    /// The sound is exactly zero for a while, and not elsewhere: it may have been lost or overwritten.
+    /// The sound is exactly zero in few places only: there it may have been lost or overwritten.
     Blank {
-        /// In how many places.
+        /// Number of places.
         places: u64,
-        /// Where the first one is.
+        /// Time of the first one.
         first_s: f64,
-        /// How long all of them are.
+        /// Duration of all of them together.
         blank_s: f64,
     },
-    /// The decoded sound is not that of which the file has the checksum: somewhere in all of it it is another.
+    /// The checksum of the file is not that of the decoded sound: somewhere it differs from the encoded sound.
     Altered {
-        /// How long the sound is.
+        /// Duration of the sound.
         read_s: f64,
     },
-    /// The rate or the number of channels changes on the way; the sound after the change was not
+    /// The sample rate or the number of channels changes within the recording; the sound behind the change was not
     /// read.
     FormatChange {
-        /// Where the change is.
+        /// Time of the change.
         at_s: f64,
     },
-    /// The header states a rate and, by its bytes a second, another.
+    /// The sample rate in the header contradicts the number of bytes per second in it.
     RateInDoubt {
-        /// The rate that is used, in Hz.
+        /// The stated rate, which is used, in Hz.
         stated_hz: u32,
-        /// The other, in Hz.
+        /// The rate that follows from the bytes per second, in Hz.
         implied_hz: f64,
     },
     /// The edit list plays parts of the sound out of order or at another speed. It was ignored:
@@ -74,7 +74,7 @@ pub enum Warning {
 }
 
 impl Warning {
-    /// Adds a gap to those that are noted.
+    /// Adds a gap to the warnings.
     pub(crate) fn note_gap(noted: &mut Vec<Self>, gap: Gap) {
         for warning in &mut *noted {
             match warning {
@@ -106,7 +106,7 @@ impl Warning {
         });
     }
 
-    /// The same as data, for those who show it.
+    /// The warning as a diagnostic.
     pub fn diagnostic(&self) -> Diagnostic {
         let new = Diagnostic::new;
         match *self {

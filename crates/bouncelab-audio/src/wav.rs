@@ -18,7 +18,7 @@ pub enum SampleFormat {
 }
 
 impl SampleFormat {
-    /// How many bits a sample takes.
+    /// Number of bits of a sample.
     pub fn bits(self) -> u16 {
         match self {
             Self::Int8 => 8,
@@ -35,7 +35,7 @@ impl SampleFormat {
             .clamp(-full_scale, full_scale - 1.0);
         let level = level as i32;
         match self {
-            // By the rules of the format these, and only these, have no sign.
+            // In WAV files samples of 8 bits, and only these, have no sign.
             Self::Int8 => target.push((level + 128) as u8),
             Self::Int16 | Self::Int24 | Self::Int32 => {
                 target.extend_from_slice(&level.to_le_bytes()[..usize::from(self.bits() / 8)]);
@@ -47,8 +47,8 @@ impl SampleFormat {
 
 /// A WAV file: one slice of samples for each channel, all of the same length.
 ///
-/// Samples are in `-1.0..1.0`; in the integer formats what lies outside is clipped, as a sound
-/// card would.
+/// Samples are in `-1.0..1.0`; the integer formats clip samples outside this range, as a sound
+/// card does.
 ///
 /// ```
 /// use bouncelab_audio::{SampleFormat, encode_wav};
@@ -93,14 +93,14 @@ impl<'a> Sound<'a> {
             return Err(Error::unwritable(name, problem));
         }
         for (number, channel) in channels.iter().enumerate() {
-            if let Some(place) = channel.iter().position(|sample| !sample.is_finite()) {
-                let problem = format!("sample {place} of channel {number} is not a number");
+            if let Some(index) = channel.iter().position(|sample| !sample.is_finite()) {
+                let problem = format!("sample {index} of channel {number} is not a number");
                 return Err(Error::unwritable(name, problem));
             }
         }
         let data_len = u32::try_from(frames as u64 * u64::from(layout.frame_len()));
         match data_len {
-            Ok(data_len @ ..=MOST_DATA) => Ok(Self {
+            Ok(data_len @ ..=MAX_DATA_LEN) => Ok(Self {
                 layout,
                 channels,
                 data_len,
@@ -124,16 +124,23 @@ impl<'a> Sound<'a> {
     }
 }
 
+/// A chunk, padded to an even length.
+pub(crate) fn chunk(name: [u8; 4], content: &[u8]) -> Vec<u8> {
+    let len = content.len() as u32;
+    let padding = &[0][..content.len() % 2];
+    [&name, &len.to_le_bytes(), content, padding].concat()
+}
+
 /// The length of a header in bytes.
 pub(crate) const HEADER_LEN: u32 = 44;
 
-/// The most bytes of samples that fit: sizes have 32 bits, and count most of the header.
-pub(crate) const MOST_DATA: u32 = u32::MAX - 64;
+/// Maximum number of bytes of samples: sizes have 32 bits, and count most of the header.
+pub(crate) const MAX_DATA_LEN: u32 = u32::MAX - 64;
 
-/// What is wrong with more.
+/// The problem of sound beyond it.
 pub(crate) const TOO_LONG: &str = "a WAV file cannot hold more than 4 GB";
 
-/// What a header says of the samples: the rate is above zero, and a frame has 1 to 65535 bytes.
+/// The layout of samples in a header: the rate is above zero, and a frame has 1 to 65535 bytes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Layout {
     pub(crate) sample_rate_hz: u32,
@@ -166,15 +173,15 @@ impl Layout {
         Err(Error::unwritable(name, problem))
     }
 
-    /// How many bytes the samples of one moment take.
+    /// Number of bytes of a frame, the samples of all channels at one time.
     pub(crate) fn frame_len(self) -> u16 {
         self.channels * (self.format.bits() / 8)
     }
 
-    /// The header of a file with so many bytes of samples, and of other chunks behind them.
+    /// The header of a file with `data_len` bytes of samples, and `behind` bytes of other chunks behind them.
     ///
-    /// It is the plain one of 1991, not the "extensible" one of later: that needs the
-    /// position of a loudspeaker for each channel, which a channel here has not, and some programs refuse mono whose
+    /// It is the plain header of 1991, not the later "extensible" one: that states the
+    /// position of a loudspeaker for each channel, which is unknown here, and some programs refuse mono whose
     /// only channel is "front left".
     pub(crate) fn header(self, data_len: u32, behind: u32) -> [u8; HEADER_LEN as usize] {
         let padding = data_len % 2;
@@ -198,8 +205,8 @@ impl Layout {
             b"data",
             &data_len.to_le_bytes(),
         ];
-        for (place, byte) in header.iter_mut().zip(fields.into_iter().flatten()) {
-            *place = *byte;
+        for (target, byte) in header.iter_mut().zip(fields.into_iter().flatten()) {
+            *target = *byte;
         }
         header
     }

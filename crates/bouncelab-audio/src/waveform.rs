@@ -1,9 +1,9 @@
 //! Sampled waveforms in text, as oscilloscopes, data loggers and phone apps export them: a column of times and
 //! one for each channel.
 //!
-//! Lines in front of the numbers are headings. Commas, semicolons, tabs and spaces separate; where it is not the
-//! comma, numbers may have a decimal comma. A unit in the heading of the times (`ms`, `us`) holds, else they are
-//! seconds.
+//! Lines in front of the numbers are headings. Cells are separated by commas, semicolons, tabs or spaces; if not by
+//! commas, numbers may have a decimal comma. The unit of the times is that in their heading (`ms`, `us`), else the
+//! second.
 
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -14,20 +14,22 @@ use crate::source::Source;
 use crate::times::heading::seconds;
 use crate::wav::{SampleFormat, encode_wav};
 
-/// Fewer rows are no sound; no list of impacts has so many at equal distances.
-const FEWEST: usize = 1_000;
-/// More samples than this are not kept in memory.
-const MOST_SAMPLES: usize = 1 << 23;
-/// Some instruments write a page of settings first.
-const MOST_HEADINGS: usize = 200;
-/// More columns than any recorder has channels.
-const MOST_COLUMNS: usize = 65;
-/// How far a time may be from its place, and from the one before, in sampling intervals or, if that is more, in
-/// steps of the written digits. Rounding moves each time by half a step, and the first and the last as well.
-const OUT_OF_PLACE: f64 = 1.25;
-const LONGEST_INTERVAL: f64 = 1.5;
+/// Minimum number of rows: no list of impacts has so many at equal distances.
+const MIN_ROWS: usize = 1_000;
+/// Maximum number of samples of all channels, which are kept in memory.
+const MAX_SAMPLES: usize = 1 << 23;
+/// Maximum number of lines of headings: some instruments write a page of settings first.
+const MAX_HEADINGS: usize = 200;
+/// Maximum number of columns, that of the times included.
+const MAX_COLUMNS: usize = 65;
+/// Maximum distance of a time from that of its row at the mean rate, in sampling intervals or, if they are longer, in
+/// steps of the last written digit. Rounding moves each time by up to half a step, the first and the last included, from
+/// which the rate follows.
+const MAX_OFFSET: f64 = 1.25;
+/// Maximum distance of successive times, in the same unit.
+const MAX_INTERVAL: f64 = 1.5;
 
-/// A waveform that was found in a text.
+/// A waveform that was read from a text.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Waveform {
     sample_rate_hz: u32,
@@ -35,17 +37,17 @@ pub(crate) struct Waveform {
 }
 
 impl Waveform {
-    /// The waveform in a text; `None` if it is no table of one: too few rows or columns.
+    /// The waveform in a text; `None` if the text is not a table of one: it has too few rows or columns.
     ///
     /// # Errors
     ///
-    /// [`Error::Times`] with the line that is none of a waveform: something else than numbers, more or fewer of them, or
-    /// a time at another distance.
+    /// [`Error::Times`] with the line that does not belong to a waveform: it has a cell that is not a number, more or
+    /// fewer cells, or a time at another distance.
     pub(crate) fn find(text: &str, name: &str) -> Result<Option<Self>> {
-        let Some(table) = Table::find(text) else {
+        let Some(table) = NumberTable::find(text) else {
             return Ok(None);
         };
-        // Growing would take twice as much memory.
+        // Vectors that grow would take twice as much memory.
         let mut times = Vec::with_capacity(table.rows);
         let samples = || Vec::with_capacity(table.rows);
         let mut channels: Vec<Vec<f32>> = (1..table.columns).map(|_| samples()).collect();
@@ -64,7 +66,7 @@ impl Waveform {
         }))
     }
 
-    /// The sound, in full scale at most: units of a voltage or of an app say nothing of loudness.
+    /// The sound, scaled down to full scale if it is louder: the unit of a voltage or an app has no relation to it.
     pub(crate) fn source(mut self, name: &str) -> Result<Source> {
         let samples = || self.channels.iter().flatten();
         let peak = samples().fold(1.0, |peak: f32, sample| peak.max(sample.abs()));
@@ -79,27 +81,27 @@ impl Waveform {
     }
 }
 
-/// Where the rows of numbers are in a text.
-struct Table {
+/// The position and layout of the rows of numbers in a text.
+struct NumberTable {
     separator: char,
     columns: usize,
-    /// How many seconds the unit of the times is.
+    /// The unit of the times, in seconds.
     unit_s: f64,
-    /// How many lines are in front of the rows.
+    /// Number of lines in front of the rows.
     headings: usize,
     rows: usize,
 }
 
-impl Table {
+impl NumberTable {
     fn find(text: &str) -> Option<Self> {
         let mut heading = "";
-        for (headings, (_, line)) in lines(text).take(MOST_HEADINGS).enumerate() {
+        for (headings, (_, line)) in lines(text).take(MAX_HEADINGS).enumerate() {
             let Some((separator, columns)) = layout(line) else {
                 heading = line;
                 continue;
             };
             let rows = lines(text).skip(headings).count();
-            let is_sound = rows >= FEWEST && rows * (columns - 1) <= MOST_SAMPLES;
+            let is_sound = rows >= MIN_ROWS && rows * (columns - 1) <= MAX_SAMPLES;
             return is_sound.then(|| Self {
                 separator,
                 columns,
@@ -135,14 +137,16 @@ impl Table {
         }
     }
 
-    /// The error for times at unequal distances, with the first line that is oddly far from the one before.
+    /// The error for times at unequal distances, with the first line at an unusual distance from the line before.
     fn uneven(&self, text: &str, name: &str, times: &[f64]) -> Error {
         let intervals = || times.windows(2).map(|pair| pair[1] - pair[0]);
         let mean = intervals().sum::<f64>() / (times.len() - 1) as f64;
-        let oddness = |interval: f64| (interval - mean).abs();
-        let most = intervals().map(oddness).fold(0.0, f64::max);
-        // A time out of place makes two distances odd.
-        let first = (1..).zip(intervals()).find(|it| oddness(it.1) > 0.5 * most);
+        let deviation = |interval: f64| (interval - mean).abs();
+        let max_deviation = intervals().map(deviation).fold(0.0, f64::max);
+        // A wrong time makes two distances unusual, of which the second may deviate more.
+        let first = (1..)
+            .zip(intervals())
+            .find(|(_, interval)| deviation(*interval) > 0.5 * max_deviation);
         let (row, interval) = first.unwrap_or_default();
         let line = lines(text).nth(self.headings + row).map(|(line, _)| line);
         let [interval_s, mean_s] = [interval, mean].map(|time| time * self.unit_s);
@@ -150,7 +154,7 @@ impl Table {
     }
 }
 
-/// The lines with something on them, and their numbers.
+/// The lines that are not blank, with their numbers from 1.
 fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let lines = (1..).zip(text.lines());
     lines.filter(|(_, line)| !line.trim().is_empty())
@@ -160,23 +164,23 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
 fn layout(line: &str) -> Option<(char, usize)> {
     let mut separators = [';', '\t', ',', ' '].into_iter();
     separators.find_map(|separator| {
-        let columns = numbers(line, separator).take(MOST_COLUMNS + 1);
+        let columns = numbers(line, separator).take(MAX_COLUMNS + 1);
         let columns = columns.collect::<Option<Vec<f64>>>()?.len();
-        (2..=MOST_COLUMNS)
+        (2..=MAX_COLUMNS)
             .contains(&columns)
             .then_some((separator, columns))
     })
 }
 
-/// The numbers of a row; `None` for a cell that is none.
+/// The numbers of a row; `None` for a cell that is not a number.
 fn numbers(line: &str, separator: char) -> impl Iterator<Item = Option<f64>> {
     cells(line, separator).map(move |cell| number(cell, separator))
 }
 
-/// The cells of a row that have something in them.
+/// The cells of a row that are not empty.
 fn cells(line: &str, separator: char) -> impl Iterator<Item = &str> {
     let cells = line.trim().split(separator).map(str::trim);
-    // Several spaces are one separator, and a separator at the end of a row means nothing.
+    // Several spaces are one separator, and some programs end each row with a separator.
     cells.filter(|cell| !cell.is_empty())
 }
 
@@ -190,7 +194,7 @@ fn number(cell: &str, separator: char) -> Option<f64> {
     number.ok().filter(|number: &f64| number.is_finite())
 }
 
-/// The unit of the times, by their heading: "Time (ms)", "`time_us`".
+/// The unit of the times in seconds, by their heading: "Time (ms)", "`time_us`".
 fn unit_s(heading: &str, separator: char) -> f64 {
     let of_times = heading
         .split(separator)
@@ -201,10 +205,11 @@ fn unit_s(heading: &str, separator: char) -> f64 {
     words.find_map(seconds).unwrap_or(1.0)
 }
 
-/// How many times there are in a unit, if they are at equal distances.
+/// Number of times in their unit, if they are at equal distances.
 ///
-/// Times may have been written with too few digits: then several rows have the same one, and the distances between
-/// others are steps of the last digit. The row in which a time changes is known to one row, so the rate is too.
+/// Times may have been written with too few digits: then several rows have the same time, and the distances between
+/// others are steps of the last digit. The row at which the time changes is certain to one row, and so the rate is known
+/// to one row in all.
 fn rate(times: &[f64]) -> Option<f64> {
     let mut changes = (1..times.len()).filter(|&row| times[row] > times[row - 1]);
     let first = changes.next()?;
@@ -213,12 +218,12 @@ fn rate(times: &[f64]) -> Option<f64> {
     let steps = || times.windows(2).map(|pair| pair[1] - pair[0]);
     let written = steps().filter(|step| *step > 0.0);
     let grid = step.max(written.fold(f64::INFINITY, f64::min));
-    let is_in_place = |(place, time): (usize, &f64)| {
-        let expected = times[first] + step * (place as f64 - first as f64);
-        (time - expected).abs() <= OUT_OF_PLACE * grid
+    let is_in_place = |(row, time): (usize, &f64)| {
+        let expected = times[first] + step * (row as f64 - first as f64);
+        (time - expected).abs() <= MAX_OFFSET * grid
     };
     let is_even = step > 0.0
-        && steps().all(|step| (0.0..=LONGEST_INTERVAL * grid).contains(&step))
+        && steps().all(|step| (0.0..=MAX_INTERVAL * grid).contains(&step))
         && times.iter().enumerate().all(is_in_place);
     is_even.then_some(1.0 / step)
 }

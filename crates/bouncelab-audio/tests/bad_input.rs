@@ -1,4 +1,4 @@
-//! What is wrong with a file is said in words that help, and what can be saved is saved.
+//! Errors of files state what to do, and the readable part of damaged files is read.
 
 mod clicks;
 
@@ -61,7 +61,7 @@ impl Seek for Pipe {
 }
 
 #[test]
-fn of_a_pipe_is_said_what_to_do() {
+fn the_refusal_of_a_pipe_states_what_to_do() {
     let refusal = Source::from_reader(Pipe, "/dev/stdin").unwrap_err();
     let message = refusal.to_string();
     assert!(message.contains("save it as a file first"), "{message}");
@@ -172,7 +172,7 @@ fn of_a_truncated_file_the_beginning_is_read_with_a_warning() {
 
 #[test]
 fn a_movie_without_its_table_of_contents_is_called_damaged() {
-    // Its last box says where everything is.
+    // Its last box is the table of contents.
     let mut bytes = fixture("aac.m4a");
     bytes.truncate(bytes.len() / 2);
     let error = refusal(bytes, "cut.m4a");
@@ -195,7 +195,7 @@ fn damage_in_the_middle_leaves_the_times_behind_it() {
     assert!((seconds - intact).abs() < 0.03, "{seconds} s of {intact} s");
 }
 
-/// To open one waits for somebody who writes.
+/// Opening a pipe would wait until another program writes into it.
 #[cfg(unix)]
 #[test]
 fn a_pipe_is_refused_before_anybody_writes() {

@@ -73,7 +73,7 @@ fn where_the_length_is_known_silence_of_that_length_stands_in_the_gap() {
     }
 }
 
-/// Without a clock nothing tells how much was where bytes are missing.
+/// Without a clock the number of frames in place of missing bytes is unknown.
 #[test]
 fn where_the_length_is_not_known_the_clock_is_another_one() {
     for (name, file) in files() {
@@ -104,7 +104,7 @@ fn an_early_page_of_ogg_that_is_damaged_costs_no_more_than_itself() {
 }
 
 #[test]
-fn a_flac_whose_checksum_is_wrong_is_said_to_be_altered() {
+fn a_flac_with_a_wrong_checksum_is_reported_as_altered() {
     let (name, mut file) = files()
         .into_iter()
         .find(|(name, _)| name == "sound.flac")
@@ -117,9 +117,9 @@ fn a_flac_whose_checksum_is_wrong_is_said_to_be_altered() {
     assert_eq!(source.warnings(), [Warning::Altered { read_s }]);
 }
 
-/// What a changed bit of MP3 sounds like cannot be told from any other sound, but the tag has a checksum.
+/// The sound of MP3 with a changed bit is not recognisable as damaged, but the tag has a checksum.
 #[test]
-fn an_mp3_whose_checksum_is_wrong_is_said_to_be_altered() {
+fn an_mp3_with_a_wrong_checksum_is_reported_as_altered() {
     for name in ["constant.mp3", "variable.mp3"] {
         let mut file = files().into_iter().find(|it| it.0 == name).unwrap().1;
         let warnings = |file: &[u8]| {

@@ -18,7 +18,7 @@ fn fixture(name: &str) -> PathBuf {
         .join(name)
 }
 
-/// All samples of all channels, and what the source had to say.
+/// All samples of all channels, and the source at its end.
 fn decode(name: &str) -> (Vec<Vec<f32>>, Source) {
     let mut source = Source::open(fixture(name)).unwrap();
     let mut channels = vec![Vec::new(); source.channels()];
@@ -154,9 +154,9 @@ fn an_edit_list_that_starts_within_a_packet_is_followed_to_the_frame() {
 fn the_priming_that_a_caf_file_names_is_left_out() {
     let mut caf = std::fs::read(fixture("alac.caf")).unwrap();
     let table = caf.windows(4).position(|word| word == b"pakt").unwrap() + 12;
-    let heard = table + 8;
-    caf[heard..heard + 8].copy_from_slice(&4_700_i64.to_be_bytes());
-    caf[heard + 8..heard + 12].copy_from_slice(&100_i32.to_be_bytes());
+    let presented = table + 8;
+    caf[presented..presented + 8].copy_from_slice(&4_700_i64.to_be_bytes());
+    caf[presented + 8..presented + 12].copy_from_slice(&100_i32.to_be_bytes());
     let mut source = Source::from_bytes(caf, "primed.caf").unwrap();
     assert_eq!(source.format(), "ALAC in CAF");
     let mut samples = Vec::new();

@@ -129,7 +129,7 @@ fn more_channels_than_fit_are_refused_by_name() {
     );
 }
 
-/// What is heard so far is judged again and again while a drop is watched.
+/// The result so far is evaluated repeatedly during a drop.
 #[test]
 fn listening_takes_no_second_memory() {
     let noise = Repeated::noise(96_000, 2, 180);
@@ -159,13 +159,13 @@ fn no_more_samples_are_read_than_a_day_of_a_recorder_has() {
     assert_eq!(most_minutes(flac), 105);
 }
 
-/// How many minutes are read at most, says the refusal of a recording.
+/// The maximum duration in minutes, by the refusal of a recording.
 fn most_minutes(flac: Vec<u8>) -> u32 {
     let mut source = Source::from_bytes(flac, "long.flac").unwrap();
     loop {
         match source.next_block() {
             Ok(block) => assert!(block.is_some(), "it has an end"),
-            Err(Error::TooLong { most_h, .. }) => return (most_h * 60.0).round() as u32,
+            Err(Error::TooLong { max_h, .. }) => return (max_h * 60.0).round() as u32,
             Err(other) => panic!("{other}"),
         }
     }
@@ -186,7 +186,7 @@ fn lists_of_any_length_are_refused() {
             Error::Times { problem, .. } => problem,
             other => panic!("{other}"),
         };
-        assert_eq!(problem, TimesProblem::TooLong { most_mb: 4 }, "{name}");
+        assert_eq!(problem, TimesProblem::TooLong { max_mb: 4 }, "{name}");
     }
 }
 

@@ -143,7 +143,7 @@ fn memory_does_not_grow_with_the_length() {
     while source.next_block().unwrap().is_some() {
         most = most.max(ALLOCATOR.allocated());
     }
-    // Opening copies the bytes into shared memory once; other tests run beside this one.
+    // Opening copies the bytes into shared memory once; other tests run concurrently.
     let grown = most.saturating_sub(before);
     assert!(grown < 16 << 20, "{grown} bytes");
 }

@@ -138,7 +138,7 @@ fn lists_of_impacts_stay_lists() {
 }
 
 #[test]
-fn what_is_wrong_with_a_waveform_is_said_with_its_line() {
+fn problems_of_a_waveform_are_reported_with_their_line() {
     let row = |n: u32| format!("{:.6},0.5", f64::from(n) / 8_000.0);
     let with = |odd: &str| {
         let rows = (0..2_000).map(|n| if n == 1_500 { odd.to_owned() } else { row(n) });

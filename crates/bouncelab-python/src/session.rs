@@ -12,9 +12,8 @@ use bouncelab_report::messages::Translator;
 use bouncelab_report::report::Provenance;
 use bouncelab_session::journal::{Journal, Key};
 use bouncelab_session::{
-    Advice, Done, KnownRecording, MetadataOptions, OddNames, Outcome, Record, Results,
-    Session as Gathered, Sources, Store, StudyOptions, complete, figures, record_of, report,
-    tables,
+    Advice, Done, KnownRecording, MetadataOptions, Outcome, Record, Results, Session as Gathered,
+    Sources, Store, StudyOptions, UnmatchedNames, complete, figures, record_of, report, tables,
 };
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
@@ -49,7 +48,7 @@ struct Request {
 }
 
 /// The recordings of a session with what is known of them, its title, and which names of files are odd.
-type Gathering = (Vec<KnownRecording>, Option<String>, OddNames);
+type Gathering = (Vec<KnownRecording>, Option<String>, UnmatchedNames);
 
 impl Request {
     fn gather(&self, settings: &Settings) -> Result<Gathering> {
@@ -58,7 +57,10 @@ impl Request {
             pattern: self.pattern.clone(),
             table: self.table.clone(),
         })?;
-        let (title, odd_names) = (session.title.take(), std::mem::take(&mut session.odd_names));
+        let (title, unmatched_names) = (
+            session.title.take(),
+            std::mem::take(&mut session.unmatched_names),
+        );
         let english = Translator::english();
         let recordings = MetadataOptions {
             settings,
@@ -75,7 +77,7 @@ impl Request {
                 ball: "or give the kind of all balls by ball=",
             },
         };
-        Ok((recordings.read(session)?, title, odd_names))
+        Ok((recordings.read(session)?, title, unmatched_names))
     }
 }
 
@@ -107,7 +109,7 @@ pub(crate) struct Session {
     journal: Journal,
     options: StudyOptions,
     title: Option<String>,
-    odd_names: OddNames,
+    unmatched_names: UnmatchedNames,
     /// Where the journal is, unless somebody wants to keep it.
     _temporary: Option<TempDir>,
 }
@@ -119,7 +121,7 @@ impl Session {
         children: &[Py<PyAny>],
         mut watch: Watch,
     ) -> Result<Self> {
-        let (recordings, title, odd_names) = request.gather(settings)?;
+        let (recordings, title, unmatched_names) = request.gather(settings)?;
         let temporary = match &request.output {
             Some(_) => None,
             None => Some(tempfile::tempdir().map_err(|why| Failure::Output(why.to_string()))?),
@@ -142,7 +144,7 @@ impl Session {
                 exclude: request.exclude,
             },
             title,
-            odd_names,
+            unmatched_names,
             _temporary: temporary,
         })
     }
@@ -159,7 +161,7 @@ impl Session {
         let mut outcome = Outcome::of(&self.results(), &self.options, words)?;
         outcome.groups.about.title.clone_from(&self.title);
         let remarks = &mut outcome.groups.about.remarks;
-        remarks.extend(self.odd_names.remark(words));
+        remarks.extend(self.unmatched_names.remark(words));
         Ok(outcome)
     }
 }

@@ -1,7 +1,7 @@
 //! Recordings in a ZIP archive, as a class hands them in.
 //!
-//! An archive is read in memory, one recording at a time. Nothing of it is written, so that the names in it are
-//! names and never places on the disk.
+//! An archive is read in memory, one recording at a time. Nothing in it is written to the disk, so that the names in it
+//! are never used as paths.
 
 use std::fmt;
 use std::fs::File;
@@ -15,19 +15,19 @@ use crate::error::{Error, Result};
 use crate::hash::{Hash, hash_of_all};
 use crate::name::shown;
 
-/// Files in an archive, folders included.
-const MOST_FILES: usize = 10_000;
-/// Size of one recording, unpacked.
-const MOST_BYTES: u64 = 256 << 20;
-/// Size of all recordings together, unpacked.
-const MOST_BYTES_OF_ALL: u64 = 16 << 30;
+/// Maximum number of files in an archive, folders included.
+const MAX_FILES: usize = 10_000;
+/// Maximum size of one recording, unpacked, in bytes.
+const MAX_LEN: u64 = 256 << 20;
+/// Maximum size of all recordings together, unpacked, in bytes.
+const MAX_TOTAL_LEN: u64 = 16 << 30;
 
 /// A recording in an archive.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Entry {
-    /// Its place in the archive.
-    number: usize,
-    /// Its name there.
+pub struct ArchiveEntry {
+    /// Its index in the archive.
+    index: usize,
+    /// Its name in the archive.
     pub(crate) name: PathBuf,
 }
 
@@ -36,24 +36,24 @@ pub(crate) fn is_archive(path: &Path) -> bool {
         .is_some_and(|ending| ending.eq_ignore_ascii_case("zip"))
 }
 
-/// The files in an archive that `wanted` asks for by their names, but for hidden ones.
+/// The files in an archive whose names are `wanted`, without hidden ones.
 ///
 /// # Errors
-/// If it is no archive, or holds more than can be read.
-pub(crate) fn entries(path: &Path, wanted: impl Fn(&Path) -> bool) -> Result<Vec<Entry>> {
+/// If the file is not an archive, or holds more than can be read.
+pub(crate) fn entries(path: &Path, wanted: impl Fn(&Path) -> bool) -> Result<Vec<ArchiveEntry>> {
     let archive = open(path)?;
-    if archive.len() > MOST_FILES {
+    if archive.len() > MAX_FILES {
         return Err(refused(path, &TooMuch("more than 10,000 files")));
     }
     let mut entries = Vec::new();
     let mut bytes = 0_u64;
-    for number in 0..archive.len() {
+    for index in 0..archive.len() {
         let file = archive
-            .by_index_data(number)
+            .by_index_data(index)
             .map_err(|reason| unread(path, &reason))?;
         let name = file.name().map_err(|reason| unread(path, &reason))?;
         let name = Path::new(&*name);
-        // Some programs begin every name with "./"; and ".." leads nowhere, for nothing is written.
+        // Some programs begin every name with "./". A ".." has no effect, since no name is used as a path.
         let name = name.strip_prefix(".").unwrap_or(name).to_owned();
         let is_hidden = name.components().any(|part| {
             matches!(part, Component::Normal(part) if part.as_encoded_bytes().starts_with(b"."))
@@ -61,14 +61,14 @@ pub(crate) fn entries(path: &Path, wanted: impl Fn(&Path) -> bool) -> Result<Vec
         if !file.is_file() || is_hidden || !wanted(&name) {
             continue;
         }
-        if file.size() > MOST_BYTES {
+        if file.size() > MAX_LEN {
             let problem = format!("\"{}\", which is larger than 256 MB", shown(&name));
             return Err(refused(path, &TooMuch(&problem)));
         }
         bytes = bytes.saturating_add(file.size());
-        entries.push(Entry { number, name });
+        entries.push(ArchiveEntry { index, name });
     }
-    if bytes > MOST_BYTES_OF_ALL {
+    if bytes > MAX_TOTAL_LEN {
         return Err(refused(path, &TooMuch("more than 16 GB of recordings")));
     }
     Ok(entries)
@@ -78,7 +78,7 @@ pub(crate) fn entries(path: &Path, wanted: impl Fn(&Path) -> bool) -> Result<Vec
 ///
 /// # Errors
 /// If it is damaged, encrypted, packed by another method than deflate, or larger than announced.
-pub(crate) fn read(path: &Path, entry: &Entry) -> Result<Vec<u8>> {
+pub(crate) fn read(path: &Path, entry: &ArchiveEntry) -> Result<Vec<u8>> {
     let mut content = Vec::new();
     unpack(path, entry, |file| file.read_to_end(&mut content))?;
     Ok(content)
@@ -88,21 +88,22 @@ pub(crate) fn read(path: &Path, entry: &Entry) -> Result<Vec<u8>> {
 ///
 /// # Errors
 /// As for [`read`].
-pub(crate) fn hash(path: &Path, entry: &Entry) -> Result<Hash> {
+pub(crate) fn hash(path: &Path, entry: &ArchiveEntry) -> Result<Hash> {
     unpack(path, entry, |file| hash_of_all(file))
 }
 
-/// Has a recording read to its end.
+/// Unpacks a recording with `read`, which reads it to its end.
 fn unpack<T>(
     path: &Path,
-    entry: &Entry,
+    entry: &ArchiveEntry,
     read: impl FnOnce(&mut dyn Read) -> io::Result<T>,
 ) -> Result<T> {
     let mut archive = open(path)?;
     let file = archive
-        .by_index(entry.number)
+        .by_index(entry.index)
         .map_err(|reason| unread(path, &reason))?;
-    let size = file.size().min(MOST_BYTES);
+    let size = file.size().min(MAX_LEN);
+    // One byte more shows that the recording is larger than announced.
     let mut announced = file.take(size + 1);
     let content = read(&mut announced).map_err(|_| damaged(path))?;
     if announced.limit() == 0 {
@@ -117,7 +118,7 @@ fn open(path: &Path) -> Result<ZipArchive<BufReader<File>>> {
     ZipArchive::new(BufReader::new(file)).map_err(|reason| unread(path, &reason))
 }
 
-/// Another program may read what this one does not.
+/// The error for an archive that other programs may be able to unpack.
 fn refused(path: &Path, problem: &dyn fmt::Display) -> Error {
     Error::Archive {
         path: path.to_owned(),
@@ -172,7 +173,7 @@ mod tests {
     }
 
     proptest! {
-        /// Whatever the names are: they are given as they stand, and none is a place on the disk.
+        /// Names are returned as they stand in the archive, and none is used as a path.
         #[test]
         fn every_file_comes_back(contents in proptest::collection::btree_map("[a-z/]{0,3}(\\.\\./){0,2}[a-z]{1,8}\\.wav", proptest::collection::vec(any::<u8>(), 0..2000), 0..5)) {
             let files: Vec<_> = contents.into_iter().collect();
@@ -204,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn hidden_files_are_left_and_names_lose_the_current_folder() {
+    fn hidden_files_are_left_out_and_names_lose_the_current_folder() {
         let names = [
             "./drop.wav",
             "class/./a.wav",
@@ -223,7 +224,7 @@ mod tests {
         let nothing = tempfile::NamedTempFile::new().unwrap();
         let refused = entries(nothing.path(), |_| true).unwrap_err().to_string();
         assert!(refused.ends_with("copy or download it again"), "{refused}");
-        let many: Vec<_> = (0..=MOST_FILES)
+        let many: Vec<_> = (0..=MAX_FILES)
             .map(|n| (format!("{n}.wav"), Vec::new()))
             .collect();
         let refused = entries(archive(&many).path(), |_| true)
@@ -241,11 +242,11 @@ mod tests {
         let content = vec![0_u8; 100_000];
         let packed = archive(&[("drop.wav".to_owned(), content.clone())]);
         let bytes = std::fs::read(packed.path()).unwrap();
-        let said = (content.len() as u32).to_le_bytes();
+        let stated = (content.len() as u32).to_le_bytes();
         let less = 10_u32.to_le_bytes();
         let mut changed = bytes.clone();
         for at in 0..bytes.len() - 3 {
-            if bytes[at..at + 4] == said {
+            if bytes[at..at + 4] == stated {
                 changed[at..at + 4].copy_from_slice(&less);
             }
         }

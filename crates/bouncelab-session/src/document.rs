@@ -1,6 +1,6 @@
 //! The result of a session as data for programs: the schema `bouncelab.session/2`.
 //!
-//! The study is that of [`bouncelab::groups`], with names where that has places.
+//! The study is that of [`bouncelab::groups`], with names in place of indices.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ pub const SCHEMA: &str = "bouncelab.session/2";
 /// The mark of its file: how it begins.
 pub const DOCUMENT_MARK: Mark = Mark::first("{\n  \"schema\": \"bouncelab.session/2\",");
 
-/// What a session says.
+/// The statistics of a session.
 #[derive(Debug, Clone, Serialize)]
 pub struct SessionDocument<'a> {
     schema: &'static str,
@@ -38,13 +38,13 @@ struct StudyDocument<'a> {
     outliers: Vec<Named<'a, Outlier>>,
 }
 
-/// Something that was found, with the names of what it is about.
+/// A result of the study, with the names of its factors, levels or drop.
 #[derive(Debug, Clone, Serialize)]
 struct Named<'a, T> {
     #[serde(flatten)]
     names: Names<'a>,
     #[serde(flatten)]
-    found: &'a T,
+    result: &'a T,
 }
 
 #[derive(Debug, Clone, Serialize)]
@@ -113,7 +113,7 @@ impl<'a> StudyDocument<'a> {
                 names: Names::Levels {
                     levels: BTreeMap::new(),
                 },
-                found: &study.all,
+                result: &study.all,
             },
             groups: named(&study.groups, levels).collect(),
             varies: named(&study.varies, |varies| Names::Factors {
@@ -133,13 +133,13 @@ impl<'a> StudyDocument<'a> {
     }
 }
 
-/// Each with its names.
+/// Results with their names.
 fn named<'a, T>(
-    found: &'a [T],
+    results: &'a [T],
     names: impl Fn(&'a T) -> Names<'a>,
 ) -> impl Iterator<Item = Named<'a, T>> {
-    found.iter().map(move |found| Named {
-        names: names(found),
-        found,
+    results.iter().map(move |result| Named {
+        names: names(result),
+        result,
     })
 }

@@ -9,9 +9,9 @@ use bouncelab_report::groups::UnknownField;
 
 use crate::name::shown;
 
-/// What can go wrong between recordings with notes and tables with results.
+/// Errors of reading recordings and notes, and of writing results.
 ///
-/// Each message says which file, what was wrong with it and what to do next.
+/// Each message states the file, what is wrong with it and what to do.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -20,7 +20,7 @@ pub enum Error {
     Read {
         /// The file or folder.
         path: PathBuf,
-        /// What the operating system said.
+        /// The error of the operating system.
         source: std::io::Error,
     },
     /// An archive of recordings cannot be read, or holds too much.
@@ -31,19 +31,19 @@ pub enum Error {
         /// What is wrong with it, and what to do.
         problem: String,
     },
-    /// A file of notes is not what it should be.
+    /// A file of notes is malformed.
     #[error("{}{}: {}", shown(path), AtPlace(*line, *column), Plain::of(problem))]
     Notes {
         /// The file.
         path: PathBuf,
-        /// The line, counted from 1, if the fault is in one.
+        /// The line, counted from 1, if the problem is in one line.
         line: Option<usize>,
         /// The column, counted from 1, if it is known.
         column: Option<usize>,
         /// What is wrong, and what is expected.
         problem: String,
     },
-    /// A pattern for file names makes no sense.
+    /// A pattern for file names is malformed.
     #[error(
         "the pattern \"{}\" {problem}; write it as in {{ball}}_{{surface}}_{{height}}_{{}}",
         Plain::of(pattern)
@@ -54,10 +54,10 @@ pub enum Error {
         /// What is wrong with it.
         problem: String,
     },
-    /// Notes that are not clear: missing, contradictory or implausible.
+    /// Notes are missing, contradictory or implausible.
     #[error("{problem}")]
     Metadata {
-        /// All that is wrong, one line for each.
+        /// All problems, one on each line.
         problem: String,
     },
     /// There are no recordings.
@@ -66,7 +66,7 @@ pub enum Error {
          named itself)"
     )]
     NoRecordings {
-        /// Where was looked.
+        /// The folders and files that were searched.
         what: String,
     },
     /// The folder for the results cannot be used.
@@ -74,10 +74,10 @@ pub enum Error {
     Output {
         /// The folder or file.
         path: PathBuf,
-        /// What the operating system said.
+        /// The error of the operating system.
         source: std::io::Error,
     },
-    /// Another run writes there.
+    /// Another run writes into the same folder.
     #[error(
         "another run writes into {}; wait for it, or name another folder",
         shown(path)
@@ -86,7 +86,7 @@ pub enum Error {
         /// The folder.
         path: PathBuf,
     },
-    /// A recording is not what it was when the work began.
+    /// A recording has changed since the work began.
     #[error("the recording or its notes have changed meanwhile; run again")]
     Changed,
     /// The result of a recording is not in the journal.
@@ -95,7 +95,7 @@ pub enum Error {
         /// The name of the recording.
         name: String,
     },
-    /// The results of a cluster are not what they should be.
+    /// The results of a cluster are malformed.
     #[error("{}: {}", shown(path), Plain::of(problem))]
     Rows {
         /// The file or folder.
@@ -103,18 +103,18 @@ pub enum Error {
         /// What is wrong, and what to do.
         problem: String,
     },
-    /// A drop to be left out is not there.
+    /// A drop to be excluded does not exist.
     #[error("there is no drop \"{}\"", Plain::of(name))]
     UnknownDrop {
-        /// What was named.
+        /// The given name.
         name: String,
     },
-    /// Nothing is noted of a field by which drops were to be grouped.
+    /// The field by which drops were to be grouped occurs in no notes.
     #[error("there are no metadata of \"{}\"", Plain::of(name))]
     UnknownField {
         /// The field.
         name: String,
-        /// The fields of which something is noted.
+        /// The fields that occur in notes.
         known: Vec<String>,
     },
     /// A table cannot be written.
@@ -122,7 +122,7 @@ pub enum Error {
     Table {
         /// The table.
         path: PathBuf,
-        /// What the writer said.
+        /// The error of the writer.
         problem: String,
     },
 }

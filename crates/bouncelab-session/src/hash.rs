@@ -10,14 +10,15 @@ use sha2::{Digest, Sha256};
 
 use crate::error::{Error, Result};
 
-/// No recording of a day is larger, but a file of nothing may be; what is read of it would take hours.
-const MOST_BYTES: u64 = 1 << 38;
+/// Maximum length of a file in bytes: more than a recording of a day. A sparse file may be longer, and reading it would
+/// take hours.
+const MAX_LEN: u64 = 1 << 38;
 
 /// A SHA-256 hash, shown and written as hexadecimal digits.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Hash([u8; 32]);
 
-/// The hash of bytes.
+/// The SHA-256 hash of bytes.
 pub fn hash(bytes: &[u8]) -> Hash {
     Hash(Sha256::digest(bytes).into())
 }
@@ -25,7 +26,7 @@ pub fn hash(bytes: &[u8]) -> Hash {
 /// The hash of settings, by their JSON.
 ///
 /// # Panics
-/// If they cannot be written as JSON: a map whose keys are no texts.
+/// If they cannot be written as JSON, such as a map whose keys are not texts.
 pub fn hash_of(settings: &impl Serialize) -> Hash {
     hash(&serde_json::to_vec(settings).expect("settings are plain data"))
 }
@@ -38,19 +39,20 @@ pub fn hash_of_file(path: &Path) -> Result<Hash> {
     open(path).and_then(hash_of_all).map_err(Error::read(path))
 }
 
-/// Opens a file that has an end.
+/// Opens a file; refuses devices and pipes, which may have no end.
 pub(crate) fn open(path: &Path) -> io::Result<File> {
     let about = fs::metadata(path)?;
     let problem = match about.len() {
         _ if !about.is_file() => "it is a folder, a device or a pipe",
-        ..=MOST_BYTES => return File::open(path),
+        ..=MAX_LEN => return File::open(path),
         _ => "it is larger than 256 GB; cut it into parts",
     };
     Err(io::Error::new(io::ErrorKind::InvalidInput, problem))
 }
 
-/// The hash of all that comes, read in pieces.
+/// The hash of everything that a reader returns, read in pieces.
 pub(crate) fn hash_of_all(mut reader: impl Read) -> io::Result<Hash> {
+    /// Length of a piece in bytes.
     const PIECE: usize = 1 << 16;
     let mut sha = Sha256::new();
     let mut piece = vec![0; PIECE];
@@ -63,14 +65,14 @@ pub(crate) fn hash_of_all(mut reader: impl Read) -> io::Result<Hash> {
 }
 
 impl Hash {
-    /// Half of it, which is enough where two must not meet by chance.
+    /// Its first 128 bits, which two contents do not share by chance.
     pub(crate) fn half(&self) -> [u8; 16] {
         let mut half = [0; 16];
         half.copy_from_slice(&self.0[..16]);
         half
     }
 
-    /// Its first 64 bits, as a number that is as good as drawn at random.
+    /// Its first 64 bits as a number, such as a seed.
     pub fn number(&self) -> u64 {
         let [a, b, c, d, e, f, g, h, ..] = self.0;
         u64::from_be_bytes([a, b, c, d, e, f, g, h])
@@ -104,8 +106,8 @@ impl std::str::FromStr for Hash {
         if digits.len() != 64 || !digits.is_ascii() {
             return Err(WRONG);
         }
-        for (place, byte) in hash.iter_mut().enumerate() {
-            let pair = &digits[2 * place..2 * place + 2];
+        for (index, byte) in hash.iter_mut().enumerate() {
+            let pair = &digits[2 * index..2 * index + 2];
             *byte = u8::from_str_radix(pair, 16).map_err(|_| WRONG)?;
         }
         Ok(Self(hash))
@@ -131,7 +133,7 @@ mod tests {
             .to_string();
         assert!(refused.contains("a device"), "{refused}");
         let file = tempfile::NamedTempFile::new().unwrap();
-        file.as_file().set_len(MOST_BYTES + 1).unwrap();
+        file.as_file().set_len(MAX_LEN + 1).unwrap();
         let refused = hash_of_file(file.path()).unwrap_err().to_string();
         assert!(refused.contains("256 GB"), "{refused}");
     }

@@ -1,8 +1,8 @@
 //! A journal of results that survives a crash.
 //!
-//! Every result is one line: a checksum and a JSON object. A line that was cut off, or damaged, does
-//! not fit its checksum and counts as never written; all others are as good as new. A result is
-//! valid for one recording with one content under one set of settings, which its key names.
+//! Each result is one line: a checksum and a JSON object. A line that was cut off or damaged does
+//! not match its checksum and counts as never written; this does not affect other lines. A result is
+//! valid for one recording with one content under one set of settings, which its key identifies.
 
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -20,19 +20,19 @@ use crate::hash::{Hash, hash};
 /// Name of the journal in the folder of the results.
 pub const JOURNAL: &str = "journal.jsonl";
 
-/// How every line goes on behind its checksum.
+/// The text behind the checksum of every line.
 const NAMED: &str = " {\"name\":";
 
-/// So many results are at most lost when the power fails.
+/// Number of results after which the file is synced to the disk: a loss of power takes at most so many.
 const SYNC_EVERY: usize = 50;
 
-/// A line is no longer than this, in bytes; the result of an hour of drops has some megabytes.
-const LONGEST: u64 = 1 << 26;
+/// Maximum length of a line in bytes; the result of an hour of drops has some megabytes.
+const MAX_LINE_LEN: u64 = 1 << 26;
 
-/// So many characters of a checksum stand before each line.
-const CHECK: usize = 16;
+/// Number of hexadecimal digits of a checksum.
+const CHECK_LEN: usize = 16;
 
-/// What a result is of: the content of a recording and the settings.
+/// What a result is made from: the content of a recording and the settings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Key {
     /// Hash of the content of the recording.
@@ -47,7 +47,7 @@ pub struct Journal {
     path: PathBuf,
     /// The end of the file, to which one thread at a time appends.
     end: Mutex<End>,
-    /// Lines that were found damaged when it was opened.
+    /// Number of damaged lines when it was opened.
     damaged: usize,
 }
 
@@ -57,11 +57,11 @@ struct End {
     length: u64,
     /// Results that may not be on the disk yet.
     unsynced: usize,
-    /// Where the newest line of each recording and key begins.
+    /// Position of the latest line of each recording and key.
     index: HashMap<Id, u64>,
 }
 
-/// Tells results apart by name and key, in as little memory as keeps two from meeting by chance.
+/// Identifies a result by name and key, in as few bytes as exclude that two are equal by chance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 struct Id([u8; 16]);
 
@@ -71,7 +71,7 @@ impl Id {
     }
 
     fn of_text(name: &str, content: &str, settings: &str) -> Self {
-        // No hash contains a line break, so no two differ only in where one part ends.
+        // Hashes contain no line break, so that different parts always give different texts.
         Self(hash(format!("{content}\n{settings}\n{name}").as_bytes()).half())
     }
 }
@@ -83,7 +83,7 @@ struct Line<'a, R> {
     result: &'a R,
 }
 
-/// Who a line is of, without its result.
+/// Name and key of a line, without its result.
 #[derive(Deserialize)]
 struct Of {
     name: String,
@@ -102,10 +102,10 @@ struct Held<R> {
 }
 
 impl Journal {
-    /// Opens the journal of a folder, which is made if needed, and reads what is in it.
+    /// Opens the journal of a folder, which is created if needed, and reads its index.
     ///
     /// # Errors
-    /// [`Error::Output`] if the folder cannot be written into, or what has the name of the journal is none,
+    /// [`Error::Output`] if the folder cannot be written into, or the file with the name of the journal is another one,
     /// [`Error::Busy`] if another run has it open, [`Error::Read`] if the journal cannot be read.
     pub fn open(folder: &Path) -> Result<Self> {
         create_folder(folder).map_err(Error::output(folder))?;
@@ -122,7 +122,7 @@ impl Journal {
             .create(true)
             .open(&path)
             .map_err(Error::output(folder))?;
-        // Some network drives know no locks; the run goes on without.
+        // Some network drives have no locks; the run continues without one.
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             return Err(Error::Busy {
                 path: folder.to_owned(),
@@ -135,7 +135,7 @@ impl Journal {
             let reason = std::io::Error::new(std::io::ErrorKind::AlreadyExists, reason);
             return Err(Error::output(&path)(reason));
         }
-        // What was cut off at the end is cut away, so that the next line begins a line.
+        // An incomplete line at the end is removed, so that the next result begins a new line.
         if scan.whole < scan.length {
             file.set_len(scan.whole).map_err(Error::output(folder))?;
         }
@@ -151,12 +151,12 @@ impl Journal {
         })
     }
 
-    /// How many lines were damaged, and do not count.
+    /// Number of damaged lines, which do not count.
     pub fn damaged(&self) -> usize {
         self.damaged
     }
 
-    /// Whether there is a result of this recording for this key.
+    /// Whether it has a result of this recording for this key.
     pub fn has(&self, name: &str, key: &Key) -> bool {
         self.lock().index.contains_key(&Id::of(name, key))
     }
@@ -165,7 +165,7 @@ impl Journal {
     /// [`Journal::sync`].
     ///
     /// # Errors
-    /// [`Error::Output`] if it cannot be written; what was written in part is taken back.
+    /// [`Error::Output`] if it cannot be written; a part that was written is removed.
     pub fn append<R: Serialize>(&self, name: &str, key: &Key, result: &R) -> Result<()> {
         let text =
             serde_json::to_string(&Line { name, key, result }).map_err(|fault| Error::Table {
@@ -176,7 +176,7 @@ impl Journal {
         let mut end = self.lock();
         let written = end.file.write_all(line.as_bytes());
         if let Err(fault) = written {
-            // Whether this works does not matter: the next run cuts it away too.
+            // If this fails, the next run removes the incomplete line.
             let _ = end.file.set_len(end.length);
             return Err(Error::output(&self.path)(fault));
         }
@@ -190,10 +190,10 @@ impl Journal {
         self.synced(&mut end)
     }
 
-    /// Makes sure that all is on the disk.
+    /// Waits until all results are on the disk.
     ///
     /// # Errors
-    /// [`Error::Output`] if the system says that it is not.
+    /// [`Error::Output`] if the system reports an error.
     pub fn sync(&self) -> Result<()> {
         self.synced(&mut self.lock())
     }
@@ -203,7 +203,7 @@ impl Journal {
         end.file.sync_data().map_err(Error::output(&self.path))
     }
 
-    /// Reads the result of a recording back; `None` if there is none for this key.
+    /// Reads the result of a recording; `None` if the journal has none for this key.
     ///
     /// # Errors
     /// [`Error::Read`] if the journal cannot be read, or its content has changed since it was opened.
@@ -215,7 +215,7 @@ impl Journal {
             let mut file = BufReader::new(File::open(&self.path)?);
             file.seek(SeekFrom::Start(start))?;
             let mut line = Vec::new();
-            file.take(LONGEST).read_until(b'\n', &mut line)?;
+            file.take(MAX_LINE_LEN).read_until(b'\n', &mut line)?;
             let text = checked(&line).ok_or(std::io::ErrorKind::InvalidData)?;
             Ok(serde_json::from_str::<Held<R>>(text)?.result)
         };
@@ -223,22 +223,22 @@ impl Journal {
     }
 
     fn lock(&self) -> std::sync::MutexGuard<'_, End> {
-        // A thread that panicked in here had not begun to change anything.
+        // No code changes the index and panics after that, so it is valid after a panic.
         self.end
             .lock()
             .unwrap_or_else(std::sync::PoisonError::into_inner)
     }
 }
 
-/// What a journal holds.
+/// The content of a journal.
 #[derive(Default)]
 struct Scan {
     index: HashMap<Id, u64>,
     damaged: usize,
-    /// Whether it has content, but no line that fits its checksum, nor begins as one.
+    /// Whether it has content, but neither a line that matches its checksum nor one that begins as a line does.
     is_foreign: bool,
     length: u64,
-    /// Where the last line that ends with a line break ends.
+    /// Position behind the last line that ends with a line break.
     whole: u64,
 }
 
@@ -250,7 +250,7 @@ impl Scan {
         let mut line = Vec::new();
         loop {
             line.clear();
-            let mut bounded = reader.by_ref().take(LONGEST);
+            let mut bounded = reader.by_ref().take(MAX_LINE_LEN);
             let read = bounded.read_until(b'\n', &mut line)? as u64;
             if read == 0 {
                 return Ok(scan);
@@ -275,16 +275,16 @@ impl Scan {
     }
 }
 
-/// The text of a whole line that fits its checksum.
+/// The text of a whole line, if it matches its checksum.
 fn checked(line: &[u8]) -> Option<&str> {
     let line = std::str::from_utf8(line.strip_suffix(b"\n")?).ok()?;
-    let (found, text) = line.split_once(' ')?;
-    (found == check(text)).then_some(text)
+    let (stated, text) = line.split_once(' ')?;
+    (stated == check(text)).then_some(text)
 }
 
-/// Whether this is a line of a journal, or the beginning of one, as far as its first letters say.
+/// Whether this may be a line of a journal, or the beginning of one, by its first letters.
 fn begins_line(line: &[u8]) -> bool {
-    let (check, named) = line.split_at(CHECK.min(line.len()));
+    let (check, named) = line.split_at(CHECK_LEN.min(line.len()));
     let is_digit = |letter: &u8| matches!(letter, b'0'..=b'9' | b'a'..=b'f');
     let mut letters = std::iter::zip(named, NAMED.as_bytes());
     check.iter().all(is_digit) && letters.all(|(letter, expected)| letter == expected)
@@ -292,7 +292,7 @@ fn begins_line(line: &[u8]) -> bool {
 
 fn check(text: &str) -> String {
     let mut hash = hash(text.as_bytes()).to_string();
-    hash.truncate(CHECK);
+    hash.truncate(CHECK_LEN);
     hash
 }
 
@@ -330,7 +330,7 @@ mod tests {
         assert_eq!(journal.damaged(), 0);
     }
 
-    /// A pipe would be waited for, and a device read without end.
+    /// Opening a pipe would wait for its writer, and reading a device would not end.
     #[cfg(unix)]
     #[test]
     fn a_journal_is_a_file() {
@@ -342,7 +342,7 @@ mod tests {
         }
     }
 
-    /// Wherever the file is cut, whole lines before the cut are kept and the next run goes on.
+    /// Wherever the file is cut, whole lines before the cut are kept and the next run continues.
     #[test]
     fn a_journal_cut_anywhere_keeps_its_whole_lines() {
         let folder = tempfile::tempdir().unwrap();
@@ -376,10 +376,10 @@ mod tests {
         }
     }
 
-    /// Of what was written since the disk was last waited for, each page may be there or empty, and the file may end
-    /// anywhere: what was waited for is there, what is there is whole, and the next run goes on.
+    /// Each page that was written since the last sync may be on the disk or empty, and the file may end anywhere: synced
+    /// results are kept, a result that is read is whole, and the next run continues.
     #[test]
-    fn a_loss_of_power_takes_only_what_was_not_waited_for() {
+    fn a_loss_of_power_takes_only_results_that_were_not_synced() {
         const PAGE: usize = 100;
         const RESULTS: usize = 6;
         let folder = tempfile::tempdir().unwrap();
@@ -404,7 +404,7 @@ mod tests {
                     page.fill(0);
                 }
             }
-            // It is as long as what is there of it.
+            // It ends with the last page that is on the disk.
             let end = (32 - kept.leading_zeros()) as usize * PAGE;
             left.truncate(synced + end);
             fs::write(&path, &left).unwrap();
@@ -434,9 +434,8 @@ mod tests {
         assert!(!journal.has("A.wav", &key("1")) && journal.has("b.wav", &key("1")));
     }
 
-    /// Of a foreign file nothing is cut away, and nothing is added.
     #[test]
-    fn what_is_no_journal_stays_as_it_is() {
+    fn a_foreign_file_is_not_changed() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join(JOURNAL);
         for foreign in [

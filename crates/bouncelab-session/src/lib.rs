@@ -43,7 +43,7 @@ mod study;
 pub mod table;
 mod work;
 
-pub use archive::Entry;
+pub use archive::ArchiveEntry;
 pub use columns::{RecordingTables, tables, write_tables};
 pub use document::{DOCUMENT_MARK, SCHEMA, SessionDocument};
 pub use error::{Error, Result};
@@ -53,7 +53,7 @@ pub use name::name;
 pub use notes::{Note, Notes};
 pub use pattern::Pattern;
 pub use record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord, RECORD, Record};
-pub use recordings::{OddNames, Recording, SESSION_FILE, Session, Sources};
+pub use recordings::{RecordingFile, SESSION_FILE, Session, Sources, UnmatchedNames};
 pub use report::report;
 pub use results::{Results, Store};
 pub use study::{Outcome, SessionDrop, StudyOptions};

@@ -14,7 +14,7 @@ use crate::hash::{Hash, hash_of};
 use crate::journal::Key;
 use crate::notes::{Note, Notes};
 use crate::record::{RECORD, Record};
-use crate::recordings::{Recording, Session};
+use crate::recordings::{RecordingFile, Session};
 
 /// Reads a quantity with its unit.
 type Reader = fn(&str) -> std::result::Result<f64, String>;
@@ -44,7 +44,7 @@ const OF_A_BALL: [&str; 4] = ["kind", "mass", "diameter", "contact_time"];
 #[derive(Debug, Clone)]
 pub struct KnownRecording {
     /// The recording.
-    pub recording: Recording,
+    pub recording: RecordingFile,
     /// What its notes mean.
     pub metadata: Arc<Metadata>,
 }

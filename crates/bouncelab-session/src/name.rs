@@ -5,8 +5,8 @@ use std::path::Path;
 
 use bouncelab::Plain;
 
-/// A path as text that no other path has: bytes that are no UTF-8 are written as `\xff`, what would
-/// not be seen as [`Plain`] writes it, and folders are separated by `/`.
+/// A path as text, different for different paths: bytes that are not UTF-8 are written as `\xff`, invisible
+/// characters as [`Plain`] writes them, and folders are separated by `/`.
 ///
 /// ```
 /// use std::path::Path;
@@ -20,7 +20,7 @@ pub fn name(path: &Path) -> String {
     parts.join("/").replace("//", "/")
 }
 
-/// A path in a message; that of here has a name too.
+/// A path in a message; that of the current folder is a dot.
 pub(crate) fn shown(path: &Path) -> String {
     let text = name(path);
     if text.is_empty() {
@@ -33,7 +33,7 @@ pub(crate) fn shown(path: &Path) -> String {
 fn escaped(bytes: &[u8]) -> String {
     let mut text = String::new();
     for chunk in bytes.utf8_chunks() {
-        // A backslash of the name itself is doubled, so that it is no escape.
+        // A backslash of the name itself is doubled, which distinguishes it from an escape.
         let doubled = chunk.valid().replace('\\', "\\\\");
         text.push_str(&String::from(Plain::of(&doubled)));
         for byte in chunk.invalid() {
@@ -44,7 +44,7 @@ fn escaped(bytes: &[u8]) -> String {
     text
 }
 
-/// A message without the path of the recording with which it may begin, where that is named already.
+/// A message without the path of the recording with which it may begin, for a context that names the recording.
 pub(crate) fn without_name<'a>(message: &'a str, name: &str) -> &'a str {
     match message.split_once(": ") {
         Some((path, rest)) if path.ends_with(name) => rest,
@@ -67,7 +67,7 @@ mod tests {
 
     #[cfg(unix)]
     #[test]
-    fn bytes_that_are_no_text_are_written_out_and_differ() {
+    fn bytes_that_are_not_text_are_escaped_and_differ() {
         use std::ffi::OsStr;
         use std::os::unix::ffi::OsStrExt;
         let of = |bytes: &[u8]| name(Path::new(OsStr::from_bytes(bytes)));

@@ -4,10 +4,10 @@ use bouncelab::Plain;
 
 use crate::error::{Error, Result};
 
-/// A pattern for the names of recordings, their ending left out.
+/// A pattern for the names of recordings without their endings.
 ///
-/// `{field}` stands for any text of at least one character, as short as what follows it allows;
-/// `{}` for text that says nothing; everything else for itself. `{height:cm}` is a height whose unit
+/// `{field}` matches any text of at least one character, as short as the rest of the pattern allows;
+/// `{}` matches text that is not used; all other characters match themselves. `{height:cm}` is a height whose unit
 /// is not part of the name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pattern {
@@ -22,7 +22,7 @@ pub struct Pattern {
 struct Part {
     /// The text before it.
     before: String,
-    /// Its name; empty if it says nothing.
+    /// Its name; empty if its text is not used.
     field: String,
     /// The unit that its value lacks.
     unit: String,
@@ -52,13 +52,13 @@ impl Pattern {
                 return Err(wrong("has two fields with nothing between them"));
             }
             let (field, unit) = field.split_once(':').unwrap_or((field, ""));
-            let field = String::from(Plain::of(field.trim()));
-            if !field.is_empty() && parts.iter().any(|known| known.field == field) {
+            let name = String::from(Plain::of(field.trim()));
+            if !name.is_empty() && parts.iter().any(|part| part.field == name) {
                 return Err(wrong("names a field twice"));
             }
             parts.push(Part {
                 before: literal.to_owned(),
-                field,
+                field: name,
                 unit: unit.trim().to_owned(),
             });
             rest = after;
@@ -76,12 +76,12 @@ impl Pattern {
         })
     }
 
-    /// The pattern, to be shown.
+    /// The pattern as text.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The fields of a name without its ending; `None` if it does not fit.
+    /// The fields of a name without its ending; `None` if it does not match.
     ///
     /// ```
     /// let pattern = bouncelab_session::Pattern::new("{ball}_{surface}_{}")?;
@@ -93,8 +93,8 @@ impl Pattern {
     pub fn fields(&self, stem: &str) -> Option<Vec<(&str, String)>> {
         let mut fields = Vec::new();
         let mut rest = stem.strip_prefix(self.parts[0].before.as_str())?;
-        for (place, part) in self.parts.iter().enumerate() {
-            let next = self.parts.get(place + 1).map(|next| next.before.as_str());
+        for (index, part) in self.parts.iter().enumerate() {
+            let next = self.parts.get(index + 1).map(|next| next.before.as_str());
             let end = match next {
                 Some(next) => rest.find(next)?,
                 None => rest.strip_suffix(self.end.as_str())?.len(),
@@ -118,7 +118,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn names_are_taken_apart() {
+    fn names_are_split_into_fields() {
         let pattern = Pattern::new("drop-{ball}-{height:cm}cm").unwrap();
         let fields = vec![("ball", "red".to_owned()), ("height", "30.5cm".to_owned())];
         assert_eq!(pattern.fields("drop-red-30.5cm"), Some(fields));
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn patterns_that_make_no_sense_are_refused() {
+    fn malformed_patterns_are_refused() {
         for text in ["", "plain", "{ball", "ball}", "{a}{b}", "{a}_{a}", "{a{b}}"] {
             assert!(Pattern::new(text).is_err(), "{text}");
         }
@@ -142,9 +142,9 @@ mod tests {
     }
 
     proptest! {
-        /// Whatever is joined by the pattern's own text comes apart again.
+        /// Fields that are joined by the text of the pattern are split again.
         #[test]
-        fn what_was_joined_comes_apart(a in "[a-z0-9.é]{1,8}", b in "[a-z0-9.é]{1,8}") {
+        fn joined_fields_are_split(a in "[a-z0-9.é]{1,8}", b in "[a-z0-9.é]{1,8}") {
             let pattern = Pattern::new("{ball}_{surface}").unwrap();
             let stem = format!("{a}_{b}");
             let fields = vec![("ball", a.clone()), ("surface", b.clone())];

@@ -10,7 +10,7 @@ use bouncelab_audio::{Input, SoundFormat};
 use bouncelab_report::groups::some_of;
 use bouncelab_report::messages::Translator;
 
-use crate::archive::{self, Entry};
+use crate::archive::{self, ArchiveEntry};
 use crate::error::{Error, Result};
 use crate::hash::{Hash, hash, hash_of_file};
 use crate::name::{name, shown};
@@ -18,32 +18,32 @@ use crate::notes::{Listed, Note, Notes, SessionFile, read_csv};
 use crate::pattern::Pattern;
 use crate::record::Record;
 
-/// What a session file is called when only its folder is named.
+/// Name of the session file of a folder.
 pub const SESSION_FILE: &str = "session.toml";
 
-/// Where to look.
+/// The inputs of a session.
 #[derive(Debug, Clone, Default)]
 pub struct Sources {
     /// Recordings, folders or ZIP archives with recordings, session files.
     pub inputs: Vec<PathBuf>,
-    /// What file names say; before that of a session file.
+    /// A pattern for file names; it replaces that of a session file.
     pub pattern: Option<String>,
-    /// A CSV of notes; before that of a session file.
+    /// A CSV of notes; it replaces that of a session file.
     pub table: Option<PathBuf>,
 }
 
-/// A recording.
+/// A recording as a file, or as an entry of an archive.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Recording {
-    /// Where it is, or the archive that holds it.
+pub struct RecordingFile {
+    /// Its path, or that of its archive.
     pub path: PathBuf,
-    /// Which file of the archive it is, if it is in one.
-    pub entry: Option<Entry>,
-    /// What it is called in tables: relative to the folder of the session, as text.
+    /// Its entry in the archive, if it is in one.
+    pub entry: Option<ArchiveEntry>,
+    /// Its name in tables: the path relative to the folder of the session, as text.
     pub name: String,
 }
 
-impl Recording {
+impl RecordingFile {
     /// The name of its file, with folders.
     fn file(&self) -> &Path {
         self.entry.as_ref().map_or(&self.path, |entry| &entry.name)
@@ -57,7 +57,7 @@ impl Recording {
         }
     }
 
-    /// What it says; `None` if this is not its content, or no longer.
+    /// Analyses it; `None` if it no longer has this content.
     pub(crate) fn record(&self, content: Hash, options: &Options) -> Option<Record> {
         let Some(entry) = &self.entry else {
             return Record::of_file(&self.path, content, options);
@@ -71,67 +71,68 @@ impl Recording {
 /// All recordings of a session.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Session {
-    /// What it is called.
+    /// Its title.
     pub title: Option<String>,
     /// The recordings, in the order of their names.
-    pub recordings: Vec<Recording>,
+    pub recordings: Vec<RecordingFile>,
     /// The balls that the session file describes.
     pub balls: BTreeMap<String, Notes>,
-    /// Names that do not fit the pattern.
-    pub odd_names: OddNames,
-    /// What the names of the files say.
+    /// Names that do not match the pattern.
+    pub unmatched_names: UnmatchedNames,
+    /// The pattern for file names.
     pattern: Option<Pattern>,
-    /// What files of notes say of a recording, by its place.
+    /// The notes of files about a recording, by its index.
     listed: BTreeMap<usize, Vec<Notes>>,
-    /// What is said of all.
+    /// The notes about all recordings.
     all: Notes,
     /// The files of notes that were read.
     notes_files: Vec<PathBuf>,
 }
 
-/// Names of files that do not fit the pattern.
+/// Names of files that do not match the pattern.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct OddNames {
+pub struct UnmatchedNames {
     pattern: String,
     names: Vec<String>,
 }
 
-impl OddNames {
-    /// What to say of them, if there are any.
-    pub fn remark(&self, words: &Translator) -> Option<String> {
+impl UnmatchedNames {
+    /// A remark about them, if there are any.
+    pub fn remark(&self, translator: &Translator) -> Option<String> {
         let arguments = [
             ("count", self.names.len().into()),
             ("pattern", self.pattern.as_str().into()),
-            ("names", some_of(&self.names, words).into()),
+            ("names", some_of(&self.names, translator).into()),
         ];
-        (!self.names.is_empty()).then(|| words.text_with("session-odd-names", &arguments))
+        (!self.names.is_empty())
+            .then(|| translator.text_with("session-unmatched-names", &arguments))
     }
 }
 
 impl Session {
-    /// Finds the recordings and reads the notes.
+    /// Searches for the recordings and reads the notes.
     ///
     /// # Errors
-    /// If a file or folder cannot be read, a file of notes is damaged or speaks of recordings that
-    /// are not there, the pattern makes no sense, or there is no recording.
+    /// If a file or folder cannot be read, a file of notes is malformed or names recordings that
+    /// do not exist, the pattern is malformed, or there is no recording.
     pub fn gather(sources: &Sources) -> Result<Self> {
-        let mut found = Found {
-            alone: sources.inputs.len() == 1,
+        let mut search = Search {
+            is_alone: sources.inputs.len() == 1,
             file: None,
             recordings: Vec::new(),
         };
         for input in &sources.inputs {
-            found.add(input)?;
+            search.add(input)?;
         }
-        let Found {
+        let Search {
             file,
             mut recordings,
             ..
-        } = found;
+        } = search;
         if recordings.is_empty() {
-            let looked: Vec<String> = sources.inputs.iter().map(|path| shown(path)).collect();
+            let searched: Vec<String> = sources.inputs.iter().map(|path| shown(path)).collect();
             return Err(Error::NoRecordings {
-                what: format!("there is no recording in {}", looked.join(", ")),
+                what: format!("there is no recording in {}", searched.join(", ")),
             });
         }
         let mut seen = BTreeSet::new();
@@ -139,13 +140,13 @@ impl Session {
         recordings.sort_by(|a, b| a.name.cmp(&b.name));
         let (file_path, file) =
             file.map_or_else(Default::default, |(path, file)| (Some(path), *file));
-        let folder = file_path.as_deref().and_then(Path::parent);
-        let folder = folder.unwrap_or(Path::new("")).to_owned();
+        let parent = file_path.as_deref().and_then(Path::parent);
+        let folder = parent.unwrap_or(Path::new("")).to_owned();
         let mut session = Self {
             title: file.title,
             recordings,
             balls: file.balls,
-            odd_names: OddNames::default(),
+            unmatched_names: UnmatchedNames::default(),
             pattern: None,
             listed: BTreeMap::new(),
             all: file.all,
@@ -153,19 +154,19 @@ impl Session {
         };
         if let Some(pattern) = sources.pattern.clone().or(file.pattern) {
             session.pattern = Some(Pattern::new(&pattern)?);
-            session.odd_names = session.odd_names();
+            session.unmatched_names = session.unmatched_names();
         }
         session.take(file.recordings)?;
-        let table = sources.table.clone();
-        if let Some(table) = table.or_else(|| Some(folder.join(file.table?))) {
+        let of_file = || Some(folder.join(file.table?));
+        if let Some(table) = sources.table.clone().or_else(of_file) {
             session.take(read_csv(&table)?)?;
             session.notes_files.push(table);
         }
         Ok(session)
     }
 
-    /// A single recording, of which its name and these notes say something.
-    pub(crate) fn of_one(recording: Recording, pattern: Option<Pattern>, notes: Notes) -> Self {
+    /// A session of one recording, with the notes of its name and these notes.
+    pub(crate) fn of_one(recording: RecordingFile, pattern: Option<Pattern>, notes: Notes) -> Self {
         Self {
             recordings: vec![recording],
             pattern,
@@ -174,30 +175,30 @@ impl Session {
         }
     }
 
-    /// Every file that was read, or will be: recordings and notes. None of them may be written.
+    /// All files that were or will be read, recordings and notes, none of which may be written.
     pub fn inputs(&self) -> impl Iterator<Item = &Path> {
         let recordings = self.recordings.iter().map(|recording| &recording.path);
         recordings.chain(&self.notes_files).map(PathBuf::as_path)
     }
 
-    /// All that was said of the recording at a place, by field. Several may have said something of
-    /// the same; what is said of all counts only where nobody else says anything.
+    /// All notes about the recording of an index, by field. Several notes may be about the same field; a note
+    /// about all recordings counts only for fields without another note.
     ///
-    /// It is put together anew each time: kept for all recordings it would take more memory than
-    /// their results.
-    pub fn notes(&self, place: usize) -> BTreeMap<String, Vec<Note>> {
+    /// They are collected at each call: stored for all recordings they would take more memory than
+    /// the results.
+    pub fn notes(&self, index: usize) -> BTreeMap<String, Vec<Note>> {
         let mut notes: BTreeMap<String, Vec<Note>> = BTreeMap::new();
-        let mut say = |field: &str, note: Note| match notes.get_mut(field) {
-            Some(said) => said.push(note),
+        let mut add = |field: &str, note: Note| match notes.get_mut(field) {
+            Some(others) => others.push(note),
             None => drop(notes.insert(field.to_owned(), vec![note])),
         };
-        for (field, text) in self.fields_of_name(place).unwrap_or_default() {
+        for (field, text) in self.fields_of_name(index).unwrap_or_default() {
             let text = Plain::of(&text).into();
             let said_by = "the file name".into();
-            say(field, Note { text, said_by });
+            add(field, Note { text, said_by });
         }
-        for (field, note) in self.listed.get(&place).into_iter().flatten().flatten() {
-            say(field, note.clone());
+        for (field, note) in self.listed.get(&index).into_iter().flatten().flatten() {
+            add(field, note.clone());
         }
         for (field, note) in &self.all {
             if !notes.contains_key(field) {
@@ -207,45 +208,43 @@ impl Session {
         notes
     }
 
-    /// What the name of a file says; `None` if it does not fit the pattern, or there is none.
-    fn fields_of_name(&self, place: usize) -> Option<Vec<(&str, String)>> {
-        let stem = self.recordings[place].file().file_stem()?.to_str()?;
+    /// The fields in the name of a file; `None` if it does not match the pattern, or there is none.
+    fn fields_of_name(&self, index: usize) -> Option<Vec<(&str, String)>> {
+        let stem = self.recordings[index].file().file_stem()?.to_str()?;
         self.pattern.as_ref()?.fields(stem)
     }
 
-    fn odd_names(&self) -> OddNames {
-        let is_odd = |place: &usize| self.fields_of_name(*place).is_none();
-        let odd = (0..self.recordings.len()).filter(is_odd);
-        OddNames {
+    fn unmatched_names(&self) -> UnmatchedNames {
+        let is_unmatched = |index: &usize| self.fields_of_name(*index).is_none();
+        let unmatched = (0..self.recordings.len()).filter(is_unmatched);
+        UnmatchedNames {
             pattern: self.pattern.as_ref().map_or("", Pattern::text).to_owned(),
-            names: odd
-                .map(|place| self.recordings[place].name.clone())
+            names: unmatched
+                .map(|index| self.recordings[index].name.clone())
                 .collect(),
         }
     }
 
-    /// Notes of a file, each to the recording that it names.
+    /// Assigns the notes of a file to the recordings that they name.
     fn take(&mut self, listed: Listed) -> Result<()> {
-        let index = Index::new(&self.recordings);
+        let names = Names::new(&self.recordings);
         for (named, line, notes) in listed.rows {
-            let place = index
+            let index = names
                 .find(&named)
                 .map_err(|problem| Error::notes(&listed.file, line, problem))?;
-            self.listed.entry(place).or_default().push(notes);
+            self.listed.entry(index).or_default().push(notes);
         }
         Ok(())
     }
 }
 
-/// Recordings by their name, the name of their file, and that without its ending.
-struct Index {
-    places: BTreeMap<String, Vec<usize>>,
-}
+/// Indices of recordings by name: that of the recording, that of its file, and that without its ending.
+struct Names(BTreeMap<String, Vec<usize>>);
 
-impl Index {
-    fn new(recordings: &[Recording]) -> Self {
-        let mut places: BTreeMap<String, Vec<usize>> = BTreeMap::new();
-        for (place, recording) in recordings.iter().enumerate() {
+impl Names {
+    fn new(recordings: &[RecordingFile]) -> Self {
+        let mut by_name: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+        for (index, recording) in recordings.iter().enumerate() {
             let short = |part: Option<&std::ffi::OsStr>| part.map(|part| name(Path::new(part)));
             let names = [
                 Some(recording.name.clone()),
@@ -253,16 +252,16 @@ impl Index {
                 short(recording.file().file_stem()),
             ];
             for name in names.into_iter().flatten().collect::<BTreeSet<_>>() {
-                places.entry(name).or_default().push(place);
+                by_name.entry(name).or_default().push(index);
             }
         }
-        Self { places }
+        Self(by_name)
     }
 
     fn find(&self, named: &str) -> std::result::Result<usize, String> {
         let name = name(Path::new(named));
-        match self.places.get(&name).map(Vec::as_slice) {
-            Some([place]) => Ok(*place),
+        match self.0.get(&name).map(Vec::as_slice) {
+            Some([index]) => Ok(*index),
             Some(_) => Err(format!(
                 "\"{named}\" is the name of several recordings; write the folder too"
             )),
@@ -274,16 +273,16 @@ impl Index {
     }
 }
 
-/// Recordings as they are found.
-struct Found {
-    /// Whether a single input was named, so that names need not say in which folder.
-    alone: bool,
+/// A search for recordings.
+struct Search {
+    /// Whether a single input was given, so that names are relative to it.
+    is_alone: bool,
     /// The session file.
     file: Option<(PathBuf, Box<SessionFile>)>,
-    recordings: Vec<Recording>,
+    recordings: Vec<RecordingFile>,
 }
 
-impl Found {
+impl Search {
     fn add(&mut self, input: &Path) -> Result<()> {
         let about = fs::metadata(input).map_err(Error::read(input))?;
         let is_notes = input.extension().is_some_and(|ending| ending == "toml");
@@ -299,7 +298,7 @@ impl Found {
         } else if archive::is_archive(input) {
             self.add_archive(input)
         } else {
-            self.recordings.push(Recording {
+            self.recordings.push(RecordingFile {
                 path: input.to_owned(),
                 entry: None,
                 name: name(input),
@@ -308,13 +307,13 @@ impl Found {
         }
     }
 
-    /// All recordings in an archive.
+    /// Adds all recordings in an archive.
     fn add_archive(&mut self, path: &Path) -> Result<()> {
         for entry in archive::entries(path, is_recording)? {
             let alone = name(&entry.name);
-            self.recordings.push(Recording {
+            self.recordings.push(RecordingFile {
                 path: path.to_owned(),
-                name: if self.alone {
+                name: if self.is_alone {
                     alone
                 } else {
                     format!("{}/{alone}", name(path))
@@ -348,8 +347,8 @@ impl Found {
         Ok(())
     }
 
-    /// All recordings in a folder and the folders in it, but for hidden ones. Folders that are links
-    /// are left out: they may lead round in a circle.
+    /// Adds all recordings in a folder and the folders in it, without hidden ones. Folders that are links
+    /// are left out: they may form a circle.
     fn add_folder(&mut self, base: &Path, folder: &Path) -> Result<()> {
         let mut entries = fs::read_dir(folder)
             .and_then(Iterator::collect::<std::io::Result<Vec<_>>>)
@@ -366,8 +365,8 @@ impl Found {
             } else if is_recording(&path) && path.is_file() {
                 let relative = path.strip_prefix(base).unwrap_or(&path);
                 let relative = relative.strip_prefix(".").unwrap_or(relative);
-                let called = name(if self.alone { relative } else { &path });
-                self.recordings.push(Recording {
+                let called = name(if self.is_alone { relative } else { &path });
+                self.recordings.push(RecordingFile {
                     path,
                     entry: None,
                     name: called,
@@ -408,9 +407,9 @@ mod tests {
         })
     }
 
-    fn said(session: &Session, name: &str, field: &str) -> Vec<String> {
-        let place = session.recordings.iter().position(|r| r.name == name);
-        let notes = session.notes(place.unwrap()).remove(field);
+    fn texts(session: &Session, name: &str, field: &str) -> Vec<String> {
+        let index = session.recordings.iter().position(|r| r.name == name);
+        let notes = session.notes(index.unwrap()).remove(field);
         let notes = notes.unwrap_or_default().into_iter();
         notes.map(|note| note.text).collect()
     }
@@ -446,13 +445,13 @@ mod tests {
             ("odd.wav", ""),
         ]);
         let session = gather(&folder).unwrap();
-        assert_eq!(said(&session, "red_30cm_1.wav", "ball"), ["red"]);
-        assert_eq!(said(&session, "red_30cm_1.wav", "operator"), ["Bob"]);
-        assert_eq!(said(&session, "red_30cm_1.wav", "surface"), ["steel"]);
-        assert_eq!(said(&session, "sub/blue_40cm_2.wav", "operator"), ["Ada"]);
-        assert_eq!(said(&session, "sub/blue_40cm_2.wav", "surface"), ["glass"]);
-        assert!(said(&session, "odd.wav", "ball").is_empty());
-        let remark = session.odd_names.remark(&Translator::english());
+        assert_eq!(texts(&session, "red_30cm_1.wav", "ball"), ["red"]);
+        assert_eq!(texts(&session, "red_30cm_1.wav", "operator"), ["Bob"]);
+        assert_eq!(texts(&session, "red_30cm_1.wav", "surface"), ["steel"]);
+        assert_eq!(texts(&session, "sub/blue_40cm_2.wav", "operator"), ["Ada"]);
+        assert_eq!(texts(&session, "sub/blue_40cm_2.wav", "surface"), ["glass"]);
+        assert!(texts(&session, "odd.wav", "ball").is_empty());
+        let remark = session.unmatched_names.remark(&Translator::english());
         let expected = "1 name does not fit the pattern \"{ball}_{height}_{}\": odd.wav";
         assert_eq!(remark.as_deref(), Some(expected));
     }
@@ -468,7 +467,7 @@ mod tests {
             ("red_1.wav", ""),
         ]);
         assert_eq!(
-            said(&gather(&folder).unwrap(), "red_1.wav", "ball"),
+            texts(&gather(&folder).unwrap(), "red_1.wav", "ball"),
             ["red", "blue"]
         );
     }

@@ -8,38 +8,38 @@ use bouncelab_report::report::{Block, Page, Provenance, Section, repeat};
 use crate::results::Results;
 use crate::study::Outcome;
 
-/// With more recordings than this a list of their hashes is no use on paper.
-const LISTED: usize = 60;
+/// Maximum number of recordings whose hashes are listed: a longer list is of no use on paper.
+const MAX_LISTED: usize = 60;
 
-/// The [page of the groups](page) of a session ([`figures`](crate::figures()) makes the charts). The hashes of few
-/// recordings go with the provenance.
+/// The [page of the groups](page) of a session, with the charts of [`figures`](crate::figures()). If there are few
+/// recordings, their hashes are part of the provenance.
 pub fn report(
     outcome: &Outcome<'_>,
     results: &Results<'_>,
     charts: &[(&'static str, Chart)],
     provenance: Provenance,
-    words: &Translator,
+    translator: &Translator,
 ) -> Page {
     let provenance = Provenance {
         files: files(results),
         ..provenance
     };
-    let to_repeat = to_repeat(&provenance, words);
-    page(&outcome.groups, charts, &provenance, to_repeat, words)
+    let to_repeat = to_repeat(&provenance, translator);
+    page(&outcome.groups, charts, &provenance, to_repeat, translator)
 }
 
-fn to_repeat(provenance: &Provenance, words: &Translator) -> Section {
-    let mut section = repeat(provenance, words);
+fn to_repeat(provenance: &Provenance, translator: &Translator) -> Section {
+    let mut section = repeat(provenance, translator);
     if provenance.files.is_empty() {
         section
             .blocks
-            .push(Block::text(words.text("session-hashes")));
+            .push(Block::text(translator.text("session-hashes")));
     }
     section
 }
 
 fn files(results: &Results<'_>) -> Vec<(String, String)> {
-    if results.recordings.len() > LISTED {
+    if results.recordings.len() > MAX_LISTED {
         return Vec::new();
     }
     std::iter::zip(results.recordings, results.done)

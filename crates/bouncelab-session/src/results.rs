@@ -15,27 +15,27 @@ use crate::work::Done;
 pub struct Results<'a> {
     /// The recordings.
     pub recordings: &'a [KnownRecording],
-    /// What came of the work on each, in their order.
+    /// The outcome of the work on each, in the same order.
     pub done: &'a [Done],
-    /// Where their results are.
+    /// The store of their results.
     pub store: Store<'a>,
 }
 
-/// Where results are kept.
+/// A store of results.
 #[derive(Debug, Clone, Copy)]
 pub enum Store<'a> {
-    /// In the journal of this machine.
+    /// The journal of a run on this computer.
     Journal(&'a Journal),
-    /// In the rows of a cluster.
+    /// The rows that a cluster wrote.
     Batch(&'a Batch),
 }
 
 impl Results<'_> {
-    /// Hands on the results of some recordings, with their places: those of a journal in this order, those of
-    /// a cluster in the order of its rows.
+    /// Calls `take` with the results of the wanted recordings and their indices: those of a journal in the order of the
+    /// recordings, those of a cluster in the order of its rows.
     ///
     /// # Errors
-    /// [`Error::NoResult`] if there is none, [`Error::Read`] and [`Error::Rows`] if it cannot be read, and
+    /// [`Error::NoResult`] if a result is missing, [`Error::Read`] and [`Error::Rows`] if it cannot be read, and
     /// those of `take`.
     pub fn each(
         &self,
@@ -46,31 +46,31 @@ impl Results<'_> {
             Store::Journal(journal) => journal,
             Store::Batch(batch) => return batch.each(is_wanted, take),
         };
-        for place in (0..self.recordings.len()).filter(|&place| is_wanted(place)) {
-            let (key, record) = self.read(journal, place)?;
-            take(place, &key, record)?;
+        for index in (0..self.recordings.len()).filter(|&index| is_wanted(index)) {
+            let (key, record) = self.read(journal, index)?;
+            take(index, &key, record)?;
         }
         Ok(())
     }
 
-    fn read(&self, journal: &Journal, place: usize) -> Result<(Key, Record)> {
-        let recording = &self.recordings[place];
+    fn read(&self, journal: &Journal, index: usize) -> Result<(Key, Record)> {
+        let recording = &self.recordings[index];
         let none = || Error::NoResult {
             name: recording.name().to_owned(),
         };
-        let content = self.done[place].content.as_ref().map_err(|_| none())?;
+        let content = self.done[index].content.as_ref().map_err(|_| none())?;
         let key = recording.key(*content);
         let record = journal.read(recording.name(), &key)?;
         Ok((key, record.ok_or_else(none)?))
     }
 
-    /// For each recording the first with the same content, if it is another.
+    /// For each recording the index of an earlier one with the same content, if there is one.
     pub(crate) fn duplicates(&self) -> Vec<Option<usize>> {
         let mut first: BTreeMap<Hash, usize> = BTreeMap::new();
         let done = self.done.iter().enumerate();
-        done.map(|(place, done)| {
-            let known = *first.entry(*done.content.as_ref().ok()?).or_insert(place);
-            (known != place).then_some(known)
+        done.map(|(index, done)| {
+            let known = *first.entry(*done.content.as_ref().ok()?).or_insert(index);
+            (known != index).then_some(known)
         })
         .collect()
     }

@@ -17,51 +17,51 @@ use crate::name::without_name;
 use crate::record::{DropRecord, PosteriorRecord, Record};
 use crate::results::Results;
 
-/// What to ask of the drops of a session.
+/// Options of the study of a session.
 #[derive(Debug, Clone, Default)]
 pub struct StudyOptions {
-    /// How the drops are compared.
+    /// How the drops are to be compared.
     pub question: Question,
-    /// The drops to leave out: a recording, or `recording#2` for its second drop.
+    /// The drops to exclude: a recording, or `recording#2` for its second drop.
     pub exclude: Vec<String>,
 }
 
 /// A drop of a session.
 #[derive(Debug, Clone)]
 pub struct SessionDrop {
-    /// The place of its recording.
+    /// The index of its recording.
     pub recording: usize,
     /// Its number there, 1 for the first.
     pub number: usize,
-    /// What it is called: the recording, and `#2` where that has several drops.
+    /// Its name: that of the recording, with `#2` if that has several drops.
     pub name: Arc<str>,
-    /// Whether it is left out by hand.
+    /// Whether it was excluded by name.
     pub by_hand: bool,
 }
 
-/// Everything that the drops of a session say together.
+/// The results of all drops of a session together.
 ///
-/// Of each drop it keeps what the statistics need; all else is read from the journal again where it
-/// is wanted.
+/// For each drop it keeps what the statistics need; everything else is read from the journal again where it
+/// is needed.
 #[derive(Debug)]
 pub struct Outcome<'a> {
     /// The recordings.
     pub recordings: &'a [KnownRecording],
-    /// Drops whose estimate can hardly be believed, by their place in `groups.about.odd`.
+    /// Drops whose estimate is doubtful, by their index in `groups.about.odd`.
     pub doubtful: Vec<usize>,
     /// The drops, in the order of their recordings and numbers.
     pub drops: Vec<SessionDrop>,
-    /// The drops in the study, by their place in `drops`.
+    /// The drops in the study, by their index in `drops`.
     pub studied: Vec<usize>,
-    /// What they say together.
+    /// The comparison of the drops.
     pub groups: GroupStudy,
 }
 
 impl<'a> Outcome<'a> {
-    /// Reads every result once, in any order, and studies what they say together.
+    /// Reads every result once, in any order, and compares the drops.
     ///
     /// # Errors
-    /// [`Error::UnknownDrop`] and [`Error::UnknownField`] if the options name what is not there, and
+    /// [`Error::UnknownDrop`] and [`Error::UnknownField`] if the options name a drop or field that does not exist, and
     /// those of [`Results::each`].
     pub fn of(
         results: &Results<'a>,
@@ -77,10 +77,10 @@ impl<'a> Outcome<'a> {
         let mut excluded = Excluded::new(&options.exclude);
         let mut collected = Collected::default();
         let duplicates = results.duplicates();
-        for (place, duplicate) in duplicates.iter().enumerate() {
-            let recording = &recordings[place];
-            if let Err(why) = &results.done[place].content {
-                collected.failed.push((place, why.clone()));
+        for (index, duplicate) in duplicates.iter().enumerate() {
+            let recording = &recordings[index];
+            if let Err(why) = &results.done[index].content {
+                collected.failed.push((index, why.clone()));
             } else if let Some(first) = duplicate {
                 let first = &recordings[*first];
                 about
@@ -92,16 +92,16 @@ impl<'a> Outcome<'a> {
             }
         }
         let counts =
-            |place: usize| results.done[place].content.is_ok() && duplicates[place].is_none();
-        results.each(counts, |place, _, record| {
-            collected.take(place, &recordings[place], record, &mut excluded, translator);
+            |index: usize| results.done[index].content.is_ok() && duplicates[index].is_none();
+        results.each(counts, |index, _, record| {
+            collected.take(index, &recordings[index], record, &mut excluded, translator);
             Ok(())
         })?;
         excluded.check()?;
         collected.outcome(about, recordings, &options.question, translator)
     }
 
-    /// The drops of a recording, as a range of places in `drops`.
+    /// The drops of a recording, as a range of indices in `drops`.
     pub(crate) fn drops_of(&self, recording: usize) -> Range<usize> {
         let start = self
             .drops
@@ -112,7 +112,7 @@ impl<'a> Outcome<'a> {
         start..end
     }
 
-    /// The scores of the outliers, by their place in `drops`.
+    /// The scores of the outliers, by their index in `drops`.
     pub(crate) fn outlier_scores(&self) -> BTreeMap<usize, f64> {
         let outliers = self.groups.study.iter().flat_map(|study| &study.outliers);
         outliers
@@ -126,31 +126,31 @@ impl<'a> Outcome<'a> {
     }
 }
 
-/// What recordings say, as it is read.
+/// The results of recordings, as they are read.
 #[derive(Default)]
 struct Collected {
-    /// Recordings that failed, by their place, and why.
+    /// Recordings that failed, by their index, and why.
     failed: Vec<(usize, String)>,
-    /// Recordings without a drop, by their place, and why.
+    /// Recordings without a drop, by their index, and why.
     without_drop: Vec<(usize, String)>,
     drops: Vec<CollectedDrop>,
 }
 
 struct CollectedDrop {
     drop: SessionDrop,
-    /// What it adds to the study, if it is in it.
+    /// Its contribution to the study, if it is part of it.
     studied: Option<Studied>,
-    /// Why it is not, if that is to be said.
+    /// Why it is not part of it, if that is to be reported.
     left_out: Option<String>,
-    /// What is odd about it, and whether its estimate can hardly be believed.
+    /// Its diagnostics as a sentence, and whether its estimate is doubtful.
     odd: Option<(String, bool)>,
 }
 
 impl Collected {
-    /// Takes what a recording says.
+    /// Adds the result of a recording.
     fn take(
         &mut self,
-        place: usize,
+        index: usize,
         recording: &KnownRecording,
         record: Record,
         excluded: &mut Excluded<'_>,
@@ -159,18 +159,18 @@ impl Collected {
         let name = recording.name();
         if let Some(why) = record.failure {
             self.failed
-                .push((place, without_name(&why, name).to_owned()));
+                .push((index, without_name(&why, name).to_owned()));
             return;
         }
         if record.drops.is_empty() {
             let why = record.no_drop.map(|why| translator.diagnostic(&why));
-            self.without_drop.push((place, why.unwrap_or_default()));
+            self.without_drop.push((index, why.unwrap_or_default()));
         }
         let is_alone = record.drops.len() == 1;
         for (number, of_drop) in (1..).zip(record.drops) {
             let numbered = format!("{name}#{number}");
             let drop = SessionDrop {
-                recording: place,
+                recording: index,
                 number,
                 by_hand: excluded.has(name, &numbered),
                 name: if is_alone {
@@ -185,8 +185,8 @@ impl Collected {
         }
     }
 
-    /// Takes what the recordings say in the order of their names, in whatever order they were read, and studies
-    /// it.
+    /// Puts the results into the order of the names of their recordings, in whatever order they were read, and compares
+    /// the drops.
     fn outcome<'a>(
         mut self,
         mut about: About,
@@ -194,16 +194,16 @@ impl Collected {
         question: &Question,
         translator: &Translator,
     ) -> Result<Outcome<'a>> {
-        let named = |(place, why): (usize, String)| reason(recordings[place].name(), &why);
-        self.failed.sort_by_key(|(place, _)| *place);
+        let named = |(index, why): (usize, String)| reason(recordings[index].name(), &why);
+        self.failed.sort_by_key(|(index, _)| *index);
         about.failed = self.failed.into_iter().map(named).collect();
-        self.without_drop.sort_by_key(|(place, _)| *place);
+        self.without_drop.sort_by_key(|(index, _)| *index);
         about.without_drop = self.without_drop.into_iter().map(named).collect();
         self.drops
             .sort_by_key(|one| (one.drop.recording, one.drop.number));
         about.drops = self.drops.len();
         let (mut drops, mut doubtful) = (Vec::new(), Vec::new());
-        let (mut places, mut noted) = (Vec::new(), Vec::new());
+        let (mut indices, mut noted) = (Vec::new(), Vec::new());
         for one in self.drops {
             let of_drop = |why: &str| reason(&one.drop.name, why);
             if let Some((why, is_doubtful)) = &one.odd {
@@ -214,7 +214,7 @@ impl Collected {
             }
             about.left_out.extend(one.left_out.as_deref().map(of_drop));
             if let Some(studied) = one.studied {
-                places.push(drops.len());
+                indices.push(drops.len());
                 noted.push(studied.noted(&one.drop, recordings));
             }
             drops.push(one.drop);
@@ -230,7 +230,7 @@ impl Collected {
             recordings,
             doubtful,
             drops,
-            studied: places,
+            studied: indices,
             groups,
         })
     }
@@ -251,7 +251,7 @@ impl CollectedDrop {
         let left_out = left_out(&record, drop.by_hand, translator);
         let (studied, left_out) = match (left_out, record.posterior) {
             (None, Some(posterior)) => (Some(Studied::of(posterior)), None),
-            // What was asked of no drop need not be said of each.
+            // If no inference was requested, this is reported once and not for each drop.
             (Some(_), None) if !asks_inference && !drop.by_hand => (None, None),
             (why, _) => (None, Some(why.unwrap_or_default())),
         };
@@ -264,7 +264,7 @@ impl CollectedDrop {
     }
 }
 
-/// What a drop adds to the study.
+/// The contribution of a drop to the study.
 struct Studied {
     curve: RestitutionCurve,
     scatter: Option<Measured>,
@@ -295,31 +295,31 @@ impl Studied {
     }
 }
 
-/// What to say if the same sound was noted differently: only one of the notes counts.
+/// A remark for two recordings of the same sound with different notes: only those of the first count.
 fn noted_otherwise(
     other: &KnownRecording,
     first: &KnownRecording,
-    words: &Translator,
+    translator: &Translator,
 ) -> Option<String> {
     let (of_other, of_first) = (&other.metadata.factors, &first.metadata.factors);
     let differs = |field: &&String| of_other.get(*field) != of_first.get(*field);
     let fields = of_other.keys().chain(of_first.keys());
     let field = fields.filter(differs).min()?;
-    let said = |noted: Option<&String>| match noted {
+    let quoted = |noted: Option<&String>| match noted {
         Some(text) => format!("\"{text}\""),
-        None => words.text("session-not-noted"),
+        None => translator.text("session-not-noted"),
     };
     let arguments = [
         ("first", first.name().into()),
         ("other", other.name().into()),
         ("field", field.as_str().into()),
-        ("of-first", said(of_first.get(field)).into()),
-        ("of-other", said(of_other.get(field)).into()),
+        ("of-first", quoted(of_first.get(field)).into()),
+        ("of-other", quoted(of_other.get(field)).into()),
     ];
-    Some(words.text_with("session-noted-otherwise", &arguments))
+    Some(translator.text_with("session-noted-otherwise", &arguments))
 }
 
-/// Whether its estimate can hardly be believed.
+/// Whether the estimate of a drop is doubtful: the inference did not converge, or contradicts the noted height.
 fn is_doubtful(drop: &DropRecord) -> bool {
     let converged = |posterior: &PosteriorRecord| posterior.converged;
     !drop.posterior.as_ref().is_none_or(converged) || drop.height_contradicts()
@@ -342,7 +342,7 @@ pub(crate) fn left_out(
     }
 }
 
-/// A recording or drop, and what there is to say of it.
+/// A recording or drop with a remark.
 fn reason(name: &str, reason: &str) -> Reason {
     Reason {
         name: name.to_owned(),
@@ -350,7 +350,7 @@ fn reason(name: &str, reason: &str) -> Reason {
     }
 }
 
-/// The drops to leave out, and which of them there are.
+/// The names of drops to exclude, and whether each exists.
 struct Excluded<'a>(Vec<(&'a str, bool)>);
 
 impl<'a> Excluded<'a> {
@@ -358,12 +358,12 @@ impl<'a> Excluded<'a> {
         Self(names.iter().map(|name| (name.as_str(), false)).collect())
     }
 
-    /// Whether to leave out a drop of a recording, which has this name too.
+    /// Whether to exclude a drop, which is named by its recording or by itself.
     fn has(&mut self, recording: &str, numbered: &str) -> bool {
         let mut has = false;
-        for (name, found) in &mut self.0 {
+        for (name, exists) in &mut self.0 {
             if *name == recording || *name == numbered {
-                *found = true;
+                *exists = true;
                 has = true;
             }
         }
@@ -371,7 +371,7 @@ impl<'a> Excluded<'a> {
     }
 
     fn check(&self) -> Result<()> {
-        let unknown = self.0.iter().find(|(_, found)| !found);
+        let unknown = self.0.iter().find(|(_, exists)| !exists);
         unknown.map_or(Ok(()), |(name, _)| {
             let name = (*name).to_owned();
             Err(Error::UnknownDrop { name })
@@ -379,7 +379,7 @@ impl<'a> Excluded<'a> {
     }
 }
 
-/// What was assumed of all recordings alike, and of some: a sentence each, those about the same together.
+/// The assumptions for all recordings or for some of them: a sentence for each, ordered by their diagnostics.
 fn assumptions(recordings: &[KnownRecording], translator: &Translator) -> Vec<String> {
     let mut counts: BTreeMap<(Code, String), usize> = BTreeMap::new();
     let assumptions = recordings

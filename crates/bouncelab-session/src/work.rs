@@ -6,25 +6,25 @@ use crate::journal::{Journal, Key};
 use crate::metadata::KnownRecording;
 use crate::record::Record;
 
-/// What came of the work on one recording.
+/// The outcome of the work on one recording.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Done {
-    /// Its content, or why it cannot be read or analysed.
+    /// Hash of its content, or why it cannot be read or analysed.
     pub content: std::result::Result<Hash, String>,
-    /// Whether its result was in the journal already.
+    /// Whether the journal had its result already.
     pub kept: bool,
-    /// Whether it could not be read, or was analysed now and holds no drop.
+    /// Whether it could not be read, or was analysed now and has no drop.
     pub without_drop: bool,
 }
 
-/// Makes sure that the journal has the result of a recording: the one that is there already, if
-/// content and settings are the same, else a new one, which `analyze` makes of the recording with the
-/// content of this key ([`KnownRecording::record`], here or in another process). Without one, the recording
-/// has changed meanwhile, and nothing is kept.
+/// Makes sure that the journal has the result of a recording for its present content and settings.
+///
+/// If the journal lacks it, `analyze` analyses the recording with this key ([`KnownRecording::record`], in this process
+/// or in another). It returns `None` if the content has changed since; then no result is kept.
 ///
 /// Each result depends on the content of its recording and the settings alone, never on the order of
-/// work, so any number of threads may do this side by side, and a run that was interrupted goes on
-/// where it was.
+/// work. So any number of threads may call this concurrently, and an interrupted run continues
+/// where it ended.
 ///
 /// # Errors
 /// [`Error::Output`] if the journal cannot be written, and those of `analyze`.
@@ -54,8 +54,8 @@ pub fn complete<E: From<Error>>(
     })
 }
 
-/// The record of the recording that has this name, content and settings, among those of a session in the order of
-/// their names; `None` if none has, or no longer.
+/// The record of the recording with this name, content and settings, among those of a session, which are in the order of
+/// their names; `None` if there is none, or its content has changed.
 pub fn record_of(recordings: &[KnownRecording], name: &str, key: &Key) -> Option<Record> {
     let first = recordings.partition_point(|it| it.name() < name);
     let named = recordings[first..]
@@ -66,7 +66,7 @@ pub fn record_of(recordings: &[KnownRecording], name: &str, key: &Key) -> Option
 }
 
 impl Done {
-    /// Nothing came of it, for this reason.
+    /// The outcome of work that failed, with the reason.
     pub fn failed(reason: String) -> Self {
         Self {
             content: Err(reason),
@@ -89,7 +89,7 @@ mod tests {
     use crate::hash::{hash, hash_of};
     use crate::metadata::{BUILD, Metadata};
     use crate::record::RECORD;
-    use crate::recordings::Recording;
+    use crate::recordings::RecordingFile;
 
     const TIMES: &[u8] = b"0\n0.4605\n0.8877\n1.2854\n";
 
@@ -98,7 +98,7 @@ mod tests {
         let path = folder.join("drop.txt");
         fs::write(&path, TIMES).unwrap();
         KnownRecording {
-            recording: Recording {
+            recording: RecordingFile {
                 entry: None,
                 path,
                 name: "drop.txt".to_owned(),

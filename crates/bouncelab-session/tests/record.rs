@@ -7,7 +7,7 @@ use bouncelab::setup::{DropInput, SetupInput};
 use bouncelab::{Options, demo};
 use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_session::hash::{Hash, hash};
-use bouncelab_session::{KnownRecording, Metadata, Record, Recording};
+use bouncelab_session::{KnownRecording, Metadata, Record, RecordingFile};
 
 /// The sound of the demonstration as a WAV file, and fast options.
 fn wav() -> (Vec<u8>, Options) {
@@ -35,7 +35,7 @@ fn memory_and_file_say_the_same() {
     assert!((restitution.value - 0.9529).abs() < 5e-4, "{restitution:?}");
 }
 
-/// So a result that was kept is as good as a new one.
+/// So a result from the journal equals a new one.
 #[test]
 fn a_record_comes_back_from_json() {
     let (wav, options) = wav();
@@ -66,7 +66,7 @@ fn settings(options: Options) -> Hash {
         temperature_k: None,
     };
     let known = KnownRecording {
-        recording: Recording {
+        recording: RecordingFile {
             entry: None,
             path: "a.wav".into(),
             name: "a.wav".to_owned(),

@@ -88,7 +88,7 @@ pub enum Reason {
     /// It goes on for longer than is read.
     LastsTooLong {
         /// How many hours are read at most.
-        most_h: f64,
+        max_h: f64,
     },
     /// It is no list of times.
     Times {
@@ -132,7 +132,7 @@ impl Reason {
             Error::UnsupportedLayout { problem, .. } => {
                 Self::UnsupportedLayout { problem: *problem }
             }
-            Error::TooLong { most_h, .. } => Self::LastsTooLong { most_h: *most_h },
+            Error::TooLong { max_h, .. } => Self::LastsTooLong { max_h: *max_h },
             Error::Times { line, problem, .. } => Self::Times {
                 line: *line,
                 problem: problem.clone(),

@@ -1,54 +1,56 @@
 //! Passes samples from the real-time thread of the sound system to the reading thread.
 //!
-//! The system calls the feeder at the pace of the sound. It must neither wait nor allocate, or
-//! sound is lost; so between the two threads lie two rings without locks, one for samples and one
-//! for what was lost between them.
+//! The system calls the feeder with each buffer of sound. The feeder must neither wait nor allocate, or
+//! sound is lost. So the two threads share two ring buffers without locks, one for samples and one
+//! for the losses between them.
 
 use rtrb::{Consumer, Producer, RingBuffer};
 
-/// How much sound the taker may be behind, in seconds: an analysis, or a disk that sleeps.
+/// Length of the ring of samples in seconds: the reading thread may be that late, because of an analysis or a sleeping
+/// disk.
 const RING_S: usize = 30;
-/// How many losses may wait to be told.
-const MOST_LOSSES: usize = 1024;
-/// The most frames that are taken at once.
-const MOST_FRAMES: usize = 4096;
+/// Maximum number of losses that wait to be read.
+const MAX_LOSSES: usize = 1024;
+/// Maximum number of frames that are taken at once.
+const MAX_FRAMES: usize = 4096;
 
 /// Sound that was lost just before a frame.
 #[derive(Debug, Clone, Copy)]
 struct Loss {
-    /// The number of that frame, of those that were handed over.
+    /// Index of that frame among those in the ring.
     before: u64,
-    /// How many frames were lost, as far as is known.
+    /// Number of lost frames, as far as it is known.
     frames: u64,
 }
 
-/// The side of the thread that must not wait.
+/// The side of the real-time thread.
 pub(super) struct Feeder {
     channels: usize,
     samples: Producer<f32>,
     losses: Producer<Loss>,
-    /// How many frames were handed over.
+    /// Number of frames that were written into the ring.
     fed: u64,
-    /// What was lost since.
+    /// Number of frames that were lost since.
     lost: Option<u64>,
 }
 
-/// The other side.
+/// The side of the reading thread.
 pub(super) struct Taker {
     channels: usize,
     samples: Consumer<f32>,
     losses: Consumer<Loss>,
+    /// Number of frames that were read from the ring.
     taken: u64,
 }
 
-/// What came.
+/// The result of a read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Arrival {
-    /// Samples.
+    /// New samples.
     Sound,
     /// Sound is missing here: the computer was too slow, or the device had a fault.
     Lost {
-        /// How many frames are missing, as far as is known; 0 if nothing is known of it.
+        /// Number of missing frames, as far as it is known; 0 if it is unknown.
         frames: u64,
     },
     /// Nothing yet.
@@ -62,7 +64,7 @@ pub(super) fn handover(sample_rate_hz: u32, channels: usize) -> (Feeder, Taker) 
 
 fn with_capacity(frames: usize, channels: usize) -> (Feeder, Taker) {
     let (samples_in, samples_out) = RingBuffer::new(frames * channels);
-    let (losses_in, losses_out) = RingBuffer::new(MOST_LOSSES);
+    let (losses_in, losses_out) = RingBuffer::new(MAX_LOSSES);
     let feeder = Feeder {
         channels,
         samples: samples_in,
@@ -80,12 +82,12 @@ fn with_capacity(frames: usize, channels: usize) -> (Feeder, Taker) {
 }
 
 impl Feeder {
-    /// Hands over whole frames, channel by channel within each; if the ring is full, they are
+    /// Writes interleaved frames into the ring; if it is full, they are
     /// lost, and counted.
     pub(super) fn feed(&mut self, samples: impl ExactSizeIterator<Item = f32>) {
         let frames = (samples.len() / self.channels) as u64;
         let fits = self.samples.slots() >= samples.len();
-        if !fits || !self.tell_loss() {
+        if !fits || !self.pass_on_loss() {
             self.lose(frames);
             return;
         }
@@ -95,41 +97,42 @@ impl Feeder {
         }
     }
 
-    /// Notes that so many frames are missing here.
+    /// Notes that `frames` frames are missing here.
     pub(super) fn lose(&mut self, frames: u64) {
         self.lost = Some(self.lost.unwrap_or(0) + frames);
     }
 
-    /// Passes on what is missing before the next frame; `false` if the ring of losses is full.
-    fn tell_loss(&mut self) -> bool {
+    /// Writes the loss before the next frame into its ring; `false` if that is full.
+    fn pass_on_loss(&mut self) -> bool {
         let Some(frames) = self.lost else {
             return true;
         };
         let before = self.fed;
-        let told = self.losses.push(Loss { before, frames }).is_ok();
-        if told {
+        let is_written = self.losses.push(Loss { before, frames }).is_ok();
+        if is_written {
             self.lost = None;
         }
-        told
+        is_written
     }
 }
 
 impl Taker {
-    /// Takes what came next; samples replace those in `planes`, one plane for each channel.
+    /// Takes the next samples or the next loss; samples replace those in `planes`, one plane for each channel.
     pub(super) fn take(&mut self, planes: &mut Vec<Vec<f32>>) -> Arrival {
-        // In this order: a loss is told before the samples that follow it, so it is seen in time.
-        let mut frames = (self.samples.slots() / self.channels).min(MOST_FRAMES);
+        // In this order: the feeder writes a loss before the samples behind it. So the loss in front of samples that are
+        // counted here is in its ring.
+        let mut frames = (self.samples.slots() / self.channels).min(MAX_FRAMES);
         if let Ok(&Loss {
             before,
             frames: lost,
         }) = self.losses.peek()
         {
-            let until = (before - self.taken) as usize;
-            if until == 0 {
+            let frames_before = (before - self.taken) as usize;
+            if frames_before == 0 {
                 let _ = self.losses.pop();
                 return Arrival::Lost { frames: lost };
             }
-            frames = frames.min(until);
+            frames = frames.min(frames_before);
         }
         if frames == 0 {
             return Arrival::Nothing;
@@ -216,7 +219,7 @@ mod tests {
             for block in numbers.chunks(2 * 37) {
                 feed(&mut feeder, block);
             }
-            // The last loss is told with the frame after it, once the ring is empty again.
+            // The last loss is written with the frame behind it, once the ring is empty again.
             while feeder.samples.slots() < 512 * 2 {
                 thread::yield_now();
             }

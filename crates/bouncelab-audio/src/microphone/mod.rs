@@ -36,18 +36,18 @@ use self::handover::{Feeder, Taker, handover};
 use crate::error::{Error, Result};
 use crate::wav::SampleFormat;
 
-/// A device that can be listened to.
+/// An input device.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Device {
-    /// The name by which the system knows it.
+    /// Its identifier in the system.
     pub id: String,
-    /// What it is, in words.
+    /// A description for people.
     pub description: String,
-    /// Whether it is the one that is taken if none is named.
+    /// Whether it is the default device.
     pub is_default: bool,
 }
 
-/// The devices that can be listened to, as the system lists them. Whether one works is only known
+/// The input devices that the system lists. Whether one works is only known
 /// when it is opened.
 ///
 /// # Errors
@@ -70,10 +70,10 @@ pub fn devices() -> Result<Vec<Device>> {
     Ok(devices.collect())
 }
 
-/// A device that is being listened to.
+/// A microphone that records.
 ///
-/// The samples are those of the device, at its own rate and in its own number of channels. They
-/// wait up to half a minute to be read; the thread that fetches them never waits for the reader.
+/// The samples are those of the device, at its own rate and in its own number of channels. They are
+/// kept for up to half a minute until they are read; the thread that fetches them never waits for the reader.
 pub struct Microphone {
     name: String,
     sample_rate_hz: u32,
@@ -88,26 +88,26 @@ pub struct Microphone {
 
 impl fmt::Debug for Microphone {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let mut said = f.debug_struct("Microphone");
-        said.field("name", &self.name);
-        said.field("sample_rate_hz", &self.sample_rate_hz);
-        said.field("channels", &self.channels);
-        said.finish_non_exhaustive()
+        f.debug_struct("Microphone")
+            .field("name", &self.name)
+            .field("sample_rate_hz", &self.sample_rate_hz)
+            .field("channels", &self.channels)
+            .finish_non_exhaustive()
     }
 }
 
-/// What the device reports beside samples.
+/// Faults that the device reports.
 #[derive(Default)]
 struct Faults {
-    /// How many times sound was interrupted.
+    /// Number of interruptions of the sound.
     interruptions: AtomicU64,
-    /// Why no more sound will come.
+    /// The error after which no more sound comes.
     end: OnceLock<cpal::Error>,
 }
 
 impl Microphone {
-    /// Starts listening: to the system's default device, or to the one of this id, or of which
-    /// this is a part of the id or description, in small or capital letters.
+    /// Opens a microphone and starts recording: the system's default device, or the device with this id, or the only
+    /// one whose id or description contains this text, in small or capital letters.
     ///
     /// # Errors
     ///
@@ -147,47 +147,47 @@ impl Microphone {
         })
     }
 
-    /// The device in words.
+    /// The description of the device.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Frames each second.
+    /// Sample rate, in Hz.
     pub fn sample_rate_hz(&self) -> u32 {
         self.sample_rate_hz
     }
 
-    /// How many channels the device has.
+    /// Number of channels of the device.
     pub fn channels(&self) -> usize {
         self.channels
     }
 
-    /// The format of a WAV file that keeps all that the samples say.
+    /// The format of a WAV file that represents the samples without loss.
     pub fn format(&self) -> SampleFormat {
         self.format
     }
 
-    /// Takes what came since the last call, without waiting. Samples replace those in `planes`,
+    /// Takes the samples since the last call, without waiting. They replace those in `planes`,
     /// which gets one plane for each channel.
     ///
     /// # Errors
     ///
-    /// [`Error::Microphone`] once the device is gone, or has sent nothing for five seconds, and
-    /// all that it sent before has been read.
+    /// [`Error::Microphone`] after the device is gone, or has sent nothing for five seconds, and
+    /// everything that it sent before has been read.
     pub fn read(&mut self, planes: &mut Vec<Vec<f32>>) -> Result<Arrival> {
-        /// Wireless devices take seconds to wake up.
-        const PATIENCE: Duration = Duration::from_secs(5);
-        // Looked at first: what came before the end is in the rings by now.
+        /// Maximum time without sound: wireless devices take seconds to start.
+        const MAX_SILENCE: Duration = Duration::from_secs(5);
+        // Read before the samples: those before the end are in the ring by then.
         let end = self.faults.end.get();
         let arrival = self.taker.take(planes);
         if arrival != Arrival::Nothing {
             self.last_arrival = Instant::now();
         } else if let Some(reason) = end {
             return Err(refused(&self.name, reason));
-        } else if self.last_arrival.elapsed() > PATIENCE {
+        } else if self.last_arrival.elapsed() > MAX_SILENCE {
             let problem = format!(
                 "no sound has come for {} s; is it still plugged in?",
-                PATIENCE.as_secs()
+                MAX_SILENCE.as_secs()
             );
             return Err(fault(&self.name, problem));
         }
@@ -195,7 +195,7 @@ impl Microphone {
     }
 }
 
-/// The device of this id, or the only one of which this is a part of the id or description.
+/// The device with this id, or the only one whose id or description contains this text.
 fn find(host: &cpal::Host, name: &str) -> Result<cpal::Device> {
     let inputs = || {
         host.input_devices()
@@ -205,7 +205,7 @@ fn find(host: &cpal::Host, name: &str) -> Result<cpal::Device> {
         return Ok(device);
     }
     let wanted = name.to_lowercase();
-    let mut meant: Vec<cpal::Device> = inputs()?
+    let mut matching: Vec<cpal::Device> = inputs()?
         .filter(|device| {
             let id = id_of(device).unwrap_or_default();
             [id, description(device)]
@@ -213,14 +213,17 @@ fn find(host: &cpal::Host, name: &str) -> Result<cpal::Device> {
                 .any(|text| text.to_lowercase().contains(&wanted))
         })
         .collect();
-    let Some(device) = meant.pop() else {
+    let Some(device) = matching.pop() else {
         return Err(fault(name, "there is no such input device".to_owned()));
     };
-    if meant.is_empty() {
+    if matching.is_empty() {
         return Ok(device);
     }
-    let ids: Vec<String> = meant.iter().chain([&device]).filter_map(id_of).collect();
-    let problem = format!("this may be any of {}; say which", ids.join(", "));
+    let ids: Vec<String> = matching.iter().chain([&device]).filter_map(id_of).collect();
+    let problem = format!(
+        "several devices have this in their name: {}; name one",
+        ids.join(", ")
+    );
     Err(fault(name, problem))
 }
 
@@ -228,7 +231,7 @@ fn id_of(device: &cpal::Device) -> Option<String> {
     Some(device.id().ok()?.id().to_owned())
 }
 
-/// The first line of what the system says of a device.
+/// The first line of the system's description of a device.
 fn description(device: &cpal::Device) -> String {
     device.description().map_or_else(
         |_| "unknown".to_owned(),
@@ -236,8 +239,8 @@ fn description(device: &cpal::Device) -> String {
     )
 }
 
-/// The size of the device's buffers that is asked for: a tenth of a second, where the device can.
-/// The delay does not matter, and a computer that is late by less loses nothing.
+/// The requested size of the device's buffers: a tenth of a second, where the device allows it.
+/// The delay does not matter, and a computer that is late by less than that loses no sound.
 fn buffer(config: &SupportedStreamConfig) -> BufferSize {
     match *config.buffer_size() {
         SupportedBufferSize::Range { min, max } if min <= max => {
@@ -247,8 +250,8 @@ fn buffer(config: &SupportedStreamConfig) -> BufferSize {
     }
 }
 
-/// The format of a WAV file that keeps all that samples of a device say. Of 32-bit integers a
-/// converter fills 24 bits at most, which is what a float holds.
+/// The format of a WAV file that represents samples of a device without loss. A converter with 32-bit integers
+/// uses at most 24 bits, which a float represents.
 fn lossless(format: cpal::SampleFormat) -> SampleFormat {
     use cpal::SampleFormat as Device;
     match format {
@@ -258,7 +261,7 @@ fn lossless(format: cpal::SampleFormat) -> SampleFormat {
     }
 }
 
-/// A stream, where its samples come out, and its faults.
+/// A stream, the end of the ring for its samples, and its faults.
 type Started = (cpal::Stream, Taker, Arc<Faults>);
 
 /// Starts the stream in the format of the device.
@@ -303,8 +306,8 @@ where
     T: SizedSample,
     f32: FromSample<T>,
 {
-    /// How often a device that sends nothing is looked after.
-    const LOOK: Duration = Duration::from_secs(1);
+    /// Time after which the system reports a device that sends nothing.
+    const TIMEOUT: Duration = Duration::from_secs(1);
     let mut clock = Clock::new(&config);
     let seen = Arc::clone(faults);
     let mut interruptions = 0;
@@ -319,24 +322,24 @@ where
     };
     let faults = Arc::clone(faults);
     let note = move |reason: cpal::Error| match reason.kind() {
-        // Sound goes on, after a gap.
+        // The sound continues after a gap.
         ErrorKind::Xrun | ErrorKind::DeviceChanged | ErrorKind::BackendError => {
             faults.interruptions.fetch_add(1, Ordering::AcqRel);
         }
-        // Gaps may become more likely; those that come are reported.
+        // This makes gaps more likely; each is reported when it occurs.
         ErrorKind::RealtimeDenied => {}
         _ => {
             let _ = faults.end.set(reason);
         }
     };
-    device.build_input_stream(config, feed, note, Some(LOOK))
+    device.build_input_stream(config, feed, note, Some(TIMEOUT))
 }
 
-/// Tells from the time stamps of the device how much is missing between its buffers.
+/// Computes how much sound is missing between buffers, by the time stamps of the device.
 struct Clock {
     channels: usize,
     sample_rate_hz: f64,
-    /// When the next buffer should begin.
+    /// Time at which the next buffer should begin.
     next: Option<StreamInstant>,
 }
 
@@ -349,7 +352,7 @@ impl Clock {
         }
     }
 
-    /// How many frames should have come between the last buffer and this one.
+    /// Number of frames that are missing between the last buffer and this one.
     fn missing_frames(&mut self, begin: StreamInstant, samples: usize) -> u64 {
         let frames = (samples / self.channels) as f64;
         let late_s = self.next.map_or(0.0, |next| {
@@ -389,7 +392,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_clock_that_jumps_tells_how_much_is_missing() {
+    fn a_jump_of_the_clock_gives_the_missing_frames() {
         let config = cpal::StreamConfig {
             channels: 2,
             sample_rate: 48_000,

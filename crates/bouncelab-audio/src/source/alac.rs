@@ -1,4 +1,5 @@
-//! ALAC packets to samples. They have no checksum, and most damaged ones decode without complaint.
+//! Decodes packets of ALAC. They have no checksum, and most damaged packets decode without an error; so damage is
+//! recognised by what no encoder writes.
 
 use symphonia::core::codecs::audio::AudioDecoder;
 use symphonia::core::errors::{Error, Result};
@@ -9,29 +10,29 @@ use super::codec::{self, Layout, has_run};
 /// A decoder for one stream.
 pub(super) struct Alac {
     inner: Box<dyn AudioDecoder>,
-    /// Whether a packet was used to its end.
-    is_tight: bool,
+    /// Whether an earlier packet could not be decoded without its last bytes, as packets of this encoder should.
+    needs_last_bytes: bool,
 }
 
 impl Alac {
     pub(super) fn new(inner: Box<dyn AudioDecoder>) -> Self {
         Self {
             inner,
-            is_tight: false,
+            needs_last_bytes: false,
         }
     }
 
     /// Decodes one packet into one plane for each channel.
     pub(super) fn decode(&mut self, packet: &Packet, planes: &mut Vec<Vec<f32>>) -> Result<Layout> {
-        let needs_all = self.needs_all(packet);
+        let needs_last_bytes = self.needs_last_bytes(packet);
         let layout = codec::decode(self.inner.as_mut(), packet, planes)?;
-        if self.is_tight && !needs_all {
+        if self.needs_last_bytes && !needs_last_bytes {
             return Err(Error::DecodeError("ALAC packet that ends early"));
         }
-        self.is_tight |= needs_all;
-        // Without silence there is no row of zeros in a packet but those that were written over it.
-        let is_flat = planes.iter().all(|plane| has_run(plane, &0.0));
-        if has_run(&packet.data, &0) && !is_flat {
+        self.needs_last_bytes |= needs_last_bytes;
+        // Only silence is encoded as a run of zeros; other runs of zeros were written over the packet.
+        let is_silent = planes.iter().all(|plane| has_run(plane, &0.0));
+        if has_run(&packet.data, &0) && !is_silent {
             return Err(Error::DecodeError("overwritten ALAC packet"));
         }
         if self.has_run_away(packet, planes) {
@@ -40,32 +41,40 @@ impl Alac {
         Ok(layout)
     }
 
-    /// Whether the sound is noise of full scale, which could not have been compressed: a changed bit that alters no
-    /// length still alters what follows, and each value is predicted from those before.
+    /// Whether the sound is noise at full scale although the packet is compressed, which noise cannot be.
+    ///
+    /// Each sample is predicted from those before it. So a changed bit, even one that alters no code length, disturbs
+    /// all samples behind it, until the predictor runs away.
     fn has_run_away(&self, packet: &Packet, planes: &[Vec<f32>]) -> bool {
-        /// Of successive values of such noise a quarter differ by more than half of their range.
-        const JUMPS: f64 = 0.1;
+        /// Minimum share of successive samples that differ by more than half of the range. In noise at full scale,
+        /// uniform over the range, it is a quarter.
+        const MIN_JUMPS: f64 = 0.1;
+        /// Half of the range -1 to 1 of samples.
         const HALF_RANGE: f32 = 1.0;
-        const COMPRESSED: f64 = 0.9;
+        /// Maximum size of a compressed packet, as a share of its samples without compression.
+        const MAX_COMPRESSED: f64 = 0.9;
         let bits = self.inner.codec_params().bits_per_sample.unwrap_or(0);
-        // Not every container says it; recordings have 16 or more.
+        // Not every container states the number of bits; recordings have at least 16.
         let bits = f64::from(bits.max(16));
         let values: usize = planes.iter().map(Vec::len).sum();
-        let is_compressed = 8.0 * (packet.data.len() as f64) < COMPRESSED * bits * values as f64;
+        let is_compressed =
+            8.0 * (packet.data.len() as f64) < MAX_COMPRESSED * bits * values as f64;
         let jumps = |plane: &Vec<f32>| {
             let pairs = plane.windows(2);
             let far = pairs.filter(|pair| (pair[1] - pair[0]).abs() > HALF_RANGE);
-            far.count() as f64 > JUMPS * plane.len() as f64
+            far.count() as f64 > MIN_JUMPS * plane.len() as f64
         };
         is_compressed && planes.iter().any(jumps)
     }
 
-    /// Whether the packet cannot be decoded without its end: behind the sound are no more than an end
-    /// mark of three bits and seven to the next byte. A changed bit alters the lengths of all codes that
-    /// follow.
-    fn needs_all(&mut self, packet: &Packet) -> bool {
-        const LESS: usize = 2;
-        let shorter = packet.data.len().saturating_sub(LESS);
+    /// Whether the packet cannot be decoded without its last bytes.
+    ///
+    /// In an intact packet only an end mark of three bits and up to seven bits of padding follow the sound. A changed
+    /// bit alters the lengths of all codes behind it, so that the sound ends earlier.
+    fn needs_last_bytes(&mut self, packet: &Packet) -> bool {
+        /// More bytes than end mark and padding take.
+        const LAST_BYTES: usize = 2;
+        let shorter = packet.data.len().saturating_sub(LAST_BYTES);
         let data = packet.data[..shorter].to_vec();
         let packet = Packet::new(packet.track_id, packet.pts, packet.dur, data);
         self.inner.decode(&packet).is_err()

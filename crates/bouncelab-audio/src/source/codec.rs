@@ -1,4 +1,4 @@
-//! From packets to samples: one face for all codecs.
+//! Decodes packets to samples, with one interface for all codecs.
 
 use symphonia::core::audio::Channels;
 use symphonia::core::codecs::audio::well_known::{
@@ -16,10 +16,10 @@ use symphonia::core::packet::Packet;
 use super::alac::Alac;
 use super::opus;
 
-/// More channels than any recorder has, and few enough to hold a block of each.
+/// Maximum number of channels: more than any recorder has, and few enough to hold a block of each.
 pub(super) const MAX_CHANNELS: usize = 64;
 
-/// No codec packs more frames into one packet; damaged headers ask for gigabytes.
+/// Maximum number of frames in a packet: no codec has more, but damaged headers ask for gigabytes.
 pub(super) const MAX_PACKET_FRAMES: u64 = 1 << 16;
 
 /// A decoder for one track.
@@ -27,7 +27,8 @@ pub(super) enum Decoder {
     Symphonia(Box<dyn AudioDecoder>, AudioCodecId),
     Alac(Alac),
     Opus(Box<opus::Decoder>),
-    /// 16-bit samples, the low byte first: what most recorders write, several times as fast as one by one.
+    /// 16-bit samples with the low byte first, as most recorders write them. Decoding all samples of a packet in one
+    /// loop is several times as fast as the general decoder.
     Pcm16(Layout),
 }
 
@@ -59,9 +60,9 @@ impl Decoder {
         if codecs.get_audio_decoder(params.codec).is_none() {
             return Err(Refusal::Codec(name(params.codec).to_owned()));
         }
-        // Vorbis decodes one packet less than it is given, which only its own trimming knows. All
-        // other encoder delays are taken out here, from what the container says: the trimming of
-        // MP3 would also cut the end of files whose length is merely estimated.
+        // The decoder of Vorbis returns one packet less than it is given, which only its own trimming accounts for. All
+        // other encoder delays are removed here, by what the container states: the trimming of
+        // MP3 would also cut the end of files whose length is only estimated.
         let options = AudioDecoderOptions::default()
             .gapless(params.codec == CODEC_ID_VORBIS)
             .verify(params.codec == CODEC_ID_FLAC);
@@ -109,18 +110,20 @@ impl Decoder {
 }
 
 impl Decoder {
-    /// Forgets the packets before, which the next one does not follow.
+    /// Resets the decoder where the next packet does not continue the one before.
     pub(super) fn forget(&mut self) {
-        // One of Vorbis would give nothing then, and lasts as long as the one before says.
+        // Vorbis is not reset: the next packet would give no sound, since its overlap with the packet before is lost.
         if let Self::Symphonia(decoder, CODEC_ID_AAC | CODEC_ID_MP3) = self {
             decoder.reset();
         }
     }
 
-    /// Whether this first sound after a loss, or the one after so many more, still lacks what was lost.
+    /// Whether sound that was decoded after a loss still depends on the lost packets, `warm_ups` being the number of
+    /// packets since the loss that did.
     pub(super) fn is_cold(&self, planes: &[Vec<f32>], warm_ups: u32) -> bool {
-        /// MP3 takes up to 511 bytes of the packets before, and is silent while it lacks them.
-        const MOST: u32 = 4;
+        /// Maximum number of packets that depend on lost ones: a packet of MP3 refers to up to 511 bytes of earlier
+        /// packets, and is silent where they are missing.
+        const MAX_WARM_UPS: u32 = 4;
         let has_memory = match self {
             Self::Symphonia(_, codec) => {
                 matches!(*codec, CODEC_ID_AAC | CODEC_ID_MP3 | CODEC_ID_VORBIS)
@@ -129,10 +132,10 @@ impl Decoder {
             Self::Alac(_) | Self::Pcm16(_) => false,
         };
         let begins_silent = || planes.iter().all(|plane| plane.first() == Some(&0.0));
-        has_memory && (warm_ups == 0 || warm_ups < MOST && begins_silent())
+        has_memory && (warm_ups == 0 || warm_ups < MAX_WARM_UPS && begins_silent())
     }
 
-    /// Whether a checksum says that the decoded sound is not what was encoded.
+    /// Whether a checksum shows that the decoded sound differs from the encoded sound.
     pub(super) fn is_altered(&mut self) -> bool {
         match self {
             Self::Symphonia(decoder, _) => decoder.finalize().verify_ok == Some(false),
@@ -156,7 +159,7 @@ pub(super) fn decode(
     })
 }
 
-/// The layout of 16-bit samples all of whose bits count, the low byte first; `None` of others.
+/// The layout of 16-bit samples with the low byte first, all of whose bits are used; `None` for other samples.
 fn pcm16(params: &AudioCodecParameters) -> Option<Layout> {
     let all_count = |bits: Option<u32>| bits.is_none_or(|bits| bits == 16);
     let is_whole = all_count(params.bits_per_sample) && all_count(params.bits_per_coded_sample);
@@ -169,7 +172,7 @@ fn pcm16(params: &AudioCodecParameters) -> Option<Layout> {
     })
 }
 
-/// Turns interleaved 16-bit samples into one plane for each channel; what is left of a frame at the end counts for nothing.
+/// Turns interleaved 16-bit samples into one plane for each channel. An incomplete frame at the end is left out.
 fn decode_pcm16(data: &[u8], channels: usize, planes: &mut Vec<Vec<f32>>) {
     let value = |bytes: &[u8; 2]| f32::from(i16::from_le_bytes(*bytes)) / 32_768.0;
     let (samples, _) = data.as_chunks::<2>();
@@ -213,24 +216,25 @@ pub(super) fn opus_head(params: &AudioCodecParameters) -> Result<opus::Head, Str
     opus::Head::parse(params.extra_data.as_deref().unwrap_or_default())
 }
 
-/// Whether a value stands so often in a row that it is none of a sound with noise.
+/// Whether a run of identical values is too long for the samples or bytes of noisy sound.
 pub(super) fn has_run<T: PartialEq>(values: &[T], value: &T) -> bool {
-    const LONG: usize = 64;
+    /// Length of such a run, in values.
+    const MIN_RUN: usize = 64;
     let mut runs = values.split(|other| other != value);
-    runs.any(|run| run.len() >= LONG)
+    runs.any(|run| run.len() >= MIN_RUN)
 }
 
-/// Whether it is a number for each sample, or a codec without checksum that gives back every sample.
+/// Whether the codec is lossless and has no checksum that would show damage: PCM and ALAC.
 pub(super) fn is_plain(codec: AudioCodecId) -> bool {
     codec == CODEC_ID_ALAC || is_pcm(codec)
 }
 
-/// Whether it is a number for each sample.
+/// Whether the codec stores one number for each sample.
 pub(super) fn is_pcm(codec: AudioCodecId) -> bool {
     (CODEC_ID_PCM_S32LE..=CODEC_ID_PCM_F64BE).contains(&codec)
 }
 
-/// What people call a codec.
+/// The usual name of a codec.
 pub(super) fn name(codec: AudioCodecId) -> &'static str {
     match codec {
         CODEC_ID_AAC => "AAC",

@@ -1,7 +1,7 @@
-//! Edit lists of MP4, M4A and MOV files: which part of a track is heard.
+//! Edit lists of MP4, M4A and MOV files: which parts of a track are presented.
 //!
-//! Encoders put 1024 (ffmpeg), 2112 (Apple) or other numbers of AAC frames in front of the sound
-//! and tell players by an edit list (ISO/IEC 14496-12, boxes `edts` and `elst`) to skip them. The
+//! Encoders write 1024 (ffmpeg), 2112 (Apple) or another number of AAC frames in front of the sound
+//! and make players skip them by an edit list (ISO/IEC 14496-12, boxes `edts` and `elst`). The
 //! demuxer in use reads these boxes but ignores them, so they are read here.
 
 use std::io::{self, Read, Seek, SeekFrom};
@@ -13,30 +13,31 @@ pub(super) struct TrackEdits {
     pub(super) edits: Vec<Edit>,
 }
 
-/// A part of the track that is heard.
+/// A part of the track that is presented.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Edit {
-    /// Where the part starts, in seconds from the first sample of the track.
+    /// Start of the part, in seconds from the first sample of the track.
     pub(super) start_s: f64,
-    /// How long it is; `None` for "to the end".
+    /// Its length in seconds; `None` if it reaches to the end.
     pub(super) duration_s: Option<f64>,
-    /// Whether it is played at another speed than it was recorded.
+    /// Whether it is played at another speed than that of the recording.
     pub(super) warped: bool,
 }
 
-/// No sane file comes near this many; it bounds the work a damaged one can cause.
+/// Maximum number of boxes within a box: far more than a file has, so that a damaged file causes limited work.
 const MAX_BOXES: usize = 10_000;
+/// Maximum number of edits of a track, for the same reason.
 const MAX_EDITS: usize = 1_000;
 
-/// Reads the edits of all tracks. Damage here means no edits: the demuxer that follows reads the
-/// same boxes and reports it.
+/// Reads the edits of all tracks. Damaged boxes give no edits: the demuxer, which reads the same boxes later, reports
+/// the damage.
 pub(super) fn read<S: Read + Seek + ?Sized>(source: &mut S) -> Vec<TrackEdits> {
     read_movie(source).unwrap_or_default()
 }
 
 fn read_movie<S: Read + Seek + ?Sized>(source: &mut S) -> io::Result<Vec<TrackEdits>> {
     let end = source.seek(SeekFrom::End(0))?;
-    let mut found = Vec::new();
+    let mut tracks = Vec::new();
     for movie in boxes(source, 0..end)?
         .iter()
         .filter(|inner| &inner.kind == b"moov")
@@ -47,10 +48,10 @@ fn read_movie<S: Read + Seek + ?Sized>(source: &mut S) -> io::Result<Vec<TrackEd
         };
         let movie_scale = timescale(source, header)?;
         for track in parts.iter().filter(|inner| &inner.kind == b"trak") {
-            found.extend(read_track(source, track, movie_scale)?);
+            tracks.extend(read_track(source, track, movie_scale)?);
         }
     }
-    Ok(found)
+    Ok(tracks)
 }
 
 fn read_track<S: Read + Seek + ?Sized>(
@@ -79,7 +80,7 @@ fn read_track<S: Read + Seek + ?Sized>(
     }))
 }
 
-/// Where the content of a box lies in the file.
+/// Kind of a box, and the position of its content in the file.
 struct BoxSpan {
     kind: [u8; 4],
     start: u64,
@@ -90,15 +91,15 @@ fn first(boxes: &[BoxSpan], kind: [u8; 4]) -> Option<&BoxSpan> {
     boxes.iter().find(|inner| inner.kind == kind)
 }
 
-/// The boxes in a stretch of the file, not looking into them. A box that does not fit ends the
-/// list: a file cut short can still have whole boxes in front.
+/// The boxes in a range of the file, without those within them. A box with an impossible length ends the list: a file
+/// that was cut short may still have whole boxes in front.
 fn boxes<S: Read + Seek + ?Sized>(
     source: &mut S,
     within: std::ops::Range<u64>,
 ) -> io::Result<Vec<BoxSpan>> {
-    let mut found = Vec::new();
+    let mut spans = Vec::new();
     let mut at = within.start;
-    while within.end.saturating_sub(at) >= 8 && found.len() < MAX_BOXES {
+    while within.end.saturating_sub(at) >= 8 && spans.len() < MAX_BOXES {
         source.seek(SeekFrom::Start(at))?;
         let short_size = u64::from(read_u32(source)?);
         let kind = read_bytes(source)?;
@@ -110,14 +111,14 @@ fn boxes<S: Read + Seek + ?Sized>(
         let Some(end) = at.checked_add(size).filter(|_| size >= header) else {
             break;
         };
-        found.push(BoxSpan {
+        spans.push(BoxSpan {
             kind,
             start: at + header,
             end: end.min(within.end),
         });
         at = end;
     }
-    Ok(found)
+    Ok(spans)
 }
 
 /// Ticks in a second, from a movie or media header (`mvhd`, `mdhd`).
@@ -153,8 +154,8 @@ fn edit_list<S: Read + Seek + ?Sized>(
             (duration, i64::from(i32::from_be_bytes(read_bytes(source)?)))
         };
         let speed = read_u32(source)?;
-        // A start of -1 is a pause. In front of the sound it only says that the picture starts
-        // first; the clock here starts with the sound.
+        // A start of -1 is a pause. In front of the sound it only makes the picture start first; here times count
+        // from the start of the sound.
         if start >= 0 {
             edits.push(Edit {
                 start_s: start as f64 / media_scale,
@@ -166,7 +167,7 @@ fn edit_list<S: Read + Seek + ?Sized>(
     Ok(edits)
 }
 
-/// Goes to the first field after version and flags; the version.
+/// Goes to the first field behind version and flags; returns the version.
 fn open_versioned<S: Read + Seek + ?Sized>(source: &mut S, inner: &BoxSpan) -> io::Result<u8> {
     source.seek(SeekFrom::Start(inner.start))?;
     let [version, ..] = read_bytes::<4, S>(source)?;
@@ -237,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn wide_lists_open_ends_pauses_and_other_speeds_are_told() {
+    fn wide_lists_open_ends_pauses_and_other_speeds_are_read() {
         let version_1 = 1 << 24;
         let wide = [version_1, 1, 0, 300, 0, 2_205, NORMAL_SPEED];
         assert_eq!(

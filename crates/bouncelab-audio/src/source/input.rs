@@ -1,23 +1,24 @@
-//! What a recording is read from.
+//! The bytes that a demuxer reads.
 
 use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;
 
 use symphonia::core::io::MediaSource;
 
-/// Something to read from, as the demuxers want it.
-pub(super) struct Input<R> {
+/// A file, or parts of it, as a source of the demuxers.
+pub(super) struct MediaInput<R> {
     reader: R,
     len: u64,
     position: u64,
     is_stream: bool,
-    /// What is read in front of the parts.
+    /// Bytes that are read in front of the parts.
     header: Vec<u8>,
-    /// The only parts that are read, one after the other, each with its place among them.
+    /// The ranges of the file that are read one after the other, each with its position in what is read; empty if the
+    /// whole file is read.
     parts: Vec<(u64, Range<u64>)>,
 }
 
-impl<R: Read + Seek> Input<R> {
+impl<R: Read + Seek> MediaInput<R> {
     pub(super) fn new(mut reader: R) -> io::Result<Self> {
         let len = reader.seek(SeekFrom::End(0))?;
         reader.rewind()?;
@@ -31,7 +32,7 @@ impl<R: Read + Seek> Input<R> {
         })
     }
 
-    /// From here on only these parts of the file are there, and the first of them comes next.
+    /// Restricts the source to these ranges of the file, and goes to the first of them.
     pub(super) fn read_only(&mut self, parts: Vec<Range<u64>>) -> io::Result<()> {
         self.len = 0;
         for part in parts {
@@ -42,7 +43,7 @@ impl<R: Read + Seek> Input<R> {
         self.rewind()
     }
 
-    /// From here on this header is there, and behind it only this part of the file.
+    /// Restricts the source to a header and this range of the file, and goes to the header.
     pub(super) fn read_behind(&mut self, header: Vec<u8>, part: Range<u64>) -> io::Result<()> {
         self.len = header.len() as u64 + (part.end - part.start);
         self.parts = vec![(header.len() as u64, part)];
@@ -50,48 +51,48 @@ impl<R: Read + Seek> Input<R> {
         self.rewind()
     }
 
-    /// Where in the file a place in its parts is, and how many bytes follow there.
-    fn in_parts(&self, place: u64) -> (u64, u64) {
-        let next = self.parts.partition_point(|(start, _)| *start <= place);
+    /// The position in the file that belongs to a position in the parts, and the number of bytes of the part behind it.
+    fn in_parts(&self, position: u64) -> (u64, u64) {
+        let next = self.parts.partition_point(|(start, _)| *start <= position);
         let (start, part) = &self.parts[next.saturating_sub(1)];
-        let at = (part.start + (place - start)).min(part.end);
+        let at = (part.start + (position - start)).min(part.end);
         (at, part.end - at)
     }
 
-    /// A stream is read from the beginning to the end.
+    /// Whether demuxers read the source from the beginning to the end only.
     pub(super) fn set_stream(&mut self, is_stream: bool) {
         self.is_stream = is_stream;
     }
 }
 
-impl<R: Read + Seek> Read for Input<R> {
+impl<R: Read + Seek> Read for MediaInput<R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let place = usize::try_from(self.position).unwrap_or(usize::MAX);
-        if let Some(header) = self.header.get(place..).filter(|it| !it.is_empty()) {
+        let offset = usize::try_from(self.position).unwrap_or(usize::MAX);
+        if let Some(header) = self.header.get(offset..).filter(|it| !it.is_empty()) {
             let count = (&*header).read(buffer)?;
             self.position += count as u64;
             return Ok(count);
         }
-        let mut most = buffer.len();
+        let mut max_len = buffer.len();
         if !self.parts.is_empty() {
             let (at, follow) = self.in_parts(self.position);
             self.reader.seek(SeekFrom::Start(at))?;
-            most = most.min(usize::try_from(follow).unwrap_or(usize::MAX));
+            max_len = max_len.min(usize::try_from(follow).unwrap_or(usize::MAX));
         }
-        let count = self.reader.read(&mut buffer[..most])?;
+        let count = self.reader.read(&mut buffer[..max_len])?;
         self.position += count as u64;
         Ok(count)
     }
 }
 
-impl<R: Seek> Seek for Input<R> {
+impl<R: Seek> Seek for MediaInput<R> {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
         if self.parts.is_empty() {
             self.position = self.reader.seek(to)?;
             return Ok(self.position);
         }
         let (from, by) = match to {
-            SeekFrom::Start(place) => (place, 0),
+            SeekFrom::Start(position) => (position, 0),
             SeekFrom::Current(by) => (self.position, by),
             SeekFrom::End(by) => (self.len, by),
         };
@@ -101,7 +102,7 @@ impl<R: Seek> Seek for Input<R> {
     }
 }
 
-impl<R: Read + Seek + Send + Sync> MediaSource for Input<R> {
+impl<R: Read + Seek + Send + Sync> MediaSource for MediaInput<R> {
     fn is_seekable(&self) -> bool {
         !self.is_stream
     }

@@ -1,4 +1,4 @@
-//! How much sound is missing where some is.
+//! How much sound is missing, by the times of packets.
 
 use symphonia::core::codecs::audio::AudioCodecParameters;
 use symphonia::core::formats::Track as TrackInfo;
@@ -10,9 +10,9 @@ use crate::formats::SoundFormat;
 /// Sound that is missing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Lost {
-    /// How many frames, as far as is known.
+    /// Number of frames, as far as it is known.
     pub(super) frames: u64,
-    /// Whether that is certain.
+    /// Whether that number is certain.
     pub(super) certain: bool,
 }
 
@@ -31,7 +31,7 @@ impl Lost {
         }
     }
 
-    /// Together with what was lost in front of it.
+    /// This loss together with the one directly before it.
     pub(super) fn after(self, before: Option<Self>) -> Self {
         let before = before.unwrap_or(Self::certain(0));
         Self {
@@ -43,43 +43,46 @@ impl Lost {
 
 /// Compares the container's clock with the count of frames.
 pub(super) struct Clock {
-    /// When the next packet is due.
+    /// Time at which the next packet should begin, in seconds.
     due_s: Option<f64>,
+    /// Whether no packet was taken yet.
     is_first: bool,
-    /// Whether it counts frames.
+    /// Whether the clock counts frames, so that times are exact.
     is_exact: bool,
-    /// Packets that follow each other further apart than this have lost sound between them.
+    /// A packet that is later than this has lost sound in front of it, in seconds.
     tolerance_s: f64,
     rate_hz: f64,
 }
 
-/// A packet that is late by more than this share of the one before has lost another of that length; what browsers
-/// write is late by some milliseconds without.
-const MOST_LATE: f64 = 0.6;
-const TOLERANCE_S: f64 = 0.015;
-/// Two times in whole milliseconds are not closer to their distance than one.
-const LEAST_TOLERANCE_S: f64 = 0.0015;
+/// Maximum lateness of a packet without a loss, as a share of the length of the packet before. A lost packet makes the
+/// next one late by its whole length.
+const MAX_LATENESS: f64 = 0.6;
+/// Maximum lateness without a loss, in seconds: packets that browsers write are late by some milliseconds.
+const MAX_TOLERANCE_S: f64 = 0.015;
+/// Minimum of the tolerance, in seconds: the distance of two times in whole milliseconds is uncertain by one.
+const MIN_TOLERANCE_S: f64 = 0.0015;
 
-/// A clock that jumps further than this is damaged itself.
-const LONGEST_S: f64 = 600.0;
+/// Maximum length of a loss, in seconds: a clock that jumps further is damaged itself.
+const MAX_LOSS_S: f64 = 600.0;
 
-/// A recording whose clock begins later than this was cut out of a longer one.
-const LATE_START_S: f64 = 1.0;
+/// Maximum time of the first packet with a loss in front of it, in seconds: a recording that begins later was cut out
+/// of a longer one.
+const MAX_START_S: f64 = 1.0;
 
 impl Clock {
     pub(super) fn of(container: SoundFormat, params: &AudioCodecParameters) -> Self {
-        // A frame of FLAC says which sample it begins with, and the first one with sample 0.
+        // A frame of FLAC states the number of its first sample, which is 0 for the first frame.
         let is_exact = container == SoundFormat::Flac;
         Self {
             due_s: is_exact.then_some(0.0),
             is_first: true,
             is_exact,
-            tolerance_s: if is_exact { 0.0 } else { TOLERANCE_S },
+            tolerance_s: if is_exact { 0.0 } else { MAX_TOLERANCE_S },
             rate_hz: f64::from(params.sample_rate.unwrap_or(0)),
         }
     }
 
-    /// What was lost before this packet; something was before if it `is_pending`.
+    /// What was lost directly before this packet; `is_pending` if packets before it were lost already.
     pub(super) fn lost_before(
         &self,
         info: &TrackInfo,
@@ -87,18 +90,19 @@ impl Clock {
         is_pending: bool,
     ) -> Option<Lost> {
         let late_s = time_s(info, packet)? - self.due_s?;
+        // Behind a loss that is known already, any lateness belongs to it.
         let tolerance_s = if is_pending { 0.0 } else { self.tolerance_s };
         let frames = (late_s * self.rate_hz).round();
-        if self.is_first && late_s > LATE_START_S {
+        if self.is_first && late_s > MAX_START_S {
             None
-        } else if !(-TOLERANCE_S..=LONGEST_S).contains(&late_s) {
+        } else if !(-MAX_TOLERANCE_S..=MAX_LOSS_S).contains(&late_s) {
             Some(Lost::unknown())
         } else {
             (late_s > tolerance_s && frames > 0.0).then(|| Lost::certain(frames as u64))
         }
     }
 
-    /// Takes note of a packet of so many frames.
+    /// Advances by a packet of `frames` frames.
     pub(super) fn advance(
         &mut self,
         info: &TrackInfo,
@@ -111,7 +115,7 @@ impl Clock {
         let length_s = frames as f64 / self.rate_hz;
         self.due_s = time_s(info, packet).map(|time_s| time_s + length_s);
         if frames > 0 && !self.is_exact {
-            self.tolerance_s = (MOST_LATE * length_s).clamp(LEAST_TOLERANCE_S, TOLERANCE_S);
+            self.tolerance_s = (MAX_LATENESS * length_s).clamp(MIN_TOLERANCE_S, MAX_TOLERANCE_S);
         }
     }
 }
@@ -126,7 +130,7 @@ mod tests {
 
     use super::*;
 
-    /// What is lost before each of the packets of so many frames at 48 kHz, with these times.
+    /// What is lost before each packet of `frames` frames at 48 kHz, by its time.
     ///
     /// The clock is that of Matroska: milliseconds, rounded.
     fn lost_before(frames: u64) -> impl FnMut(i64) -> Option<Lost> {

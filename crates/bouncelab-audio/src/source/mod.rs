@@ -26,7 +26,7 @@ use bouncelab::analysis::Gap;
 use self::blank::Blanks;
 use self::codec::{Layout, MAX_CHANNELS};
 use self::content::Content;
-use self::input::Input;
+use self::input::MediaInput;
 use self::lost::Lost;
 use self::presentation::Presentation;
 use self::track::{Next, Step, Track};
@@ -36,42 +36,46 @@ use crate::lost_chunk;
 use crate::problem::{LayoutProblem, MissingContent, Stage};
 use crate::warning::Warning;
 
-/// The lowest sample rate that is read, in hertz. Below it there is nothing left of a click, and
-/// its onset is no better known than a quarter of a millisecond.
+/// The lowest sample rate that is read, in hertz. At lower rates little of a click is left, and
+/// its onset is uncertain by more than a quarter of a millisecond.
 pub const MIN_SAMPLE_RATE_HZ: u32 = 4_000;
 
-/// The highest sample rate that is read, in hertz: above that of any recorder, and below what a
-/// damaged header may claim.
+/// The highest sample rate that is read, in hertz: above that of any recorder, and below many rates in
+/// damaged headers.
 pub const MAX_SAMPLE_RATE_HZ: u32 = 10_000_000;
 
-/// The most frames in one [`Block`].
+/// Maximum number of frames in a [`Block`].
 pub const MAX_BLOCK_FRAMES: usize = 4_096;
 
-/// No recording is read for longer: a small file may claim any length.
-const MOST_S: u64 = 24 * 3600;
-/// Nor are more samples of all channels read: as many as two channels at 192 kHz have in that time.
-const MOST_SAMPLES: u64 = MOST_S * 2 * 192_000;
+/// Maximum duration that is read, in seconds: a small file may claim any length.
+const MAX_DURATION_S: u64 = 24 * 3600;
+/// Maximum number of samples of all channels that are read: those of two channels at 192 kHz in that time.
+const MAX_SAMPLES: u64 = MAX_DURATION_S * 2 * 192_000;
+/// Maximum number of gaps: a file with more is read up to there.
+const MAX_GAPS: usize = 1_000;
+/// Minimum level of a sample that is damaged, in units of full scale: no sound reaches it.
+const MIN_DAMAGED: f32 = 1e7;
 
 /// A recording being read, block by block, in memory that does not grow with its length.
 ///
-/// The first frame is time zero and the frame `i` is at `i / sample_rate_hz` seconds. What an
-/// encoder put in front of the sound (21 ms in most AAC, 7 ms in Opus) is taken out wherever the
-/// file says how much it is, so that times agree with those of other players:
+/// The first frame is time zero and the frame `i` is at `i / sample_rate_hz` seconds. The priming that an
+/// encoder writes in front of the sound (21 ms in most AAC, 7 ms in Opus) is left out wherever the
+/// file states its length, so that times agree with those of other players:
 ///
-/// | format | what says how much is not sound |
+/// | format | what states the length of the priming |
 /// |---|---|
 /// | MP4, M4A, MOV | the track's edit list, else the iTunes tag, else the pre-skip of Opus |
 /// | Opus in Ogg and Matroska (`.webm`, `.mkv`) | the pre-skip in the Opus header |
 /// | MP3 | the LAME or Info tag |
 /// | Vorbis | the stream itself |
 ///
-/// A file that does not say (an MP3 without tag, AAC in a bare stream or in Matroska) starts
-/// late by a constant 20 to 50 ms, in other players as here. Differences between times, all that
-/// the physics needs, do not suffer.
+/// Sound from a file that does not state it (an MP3 without tag, AAC in a bare stream or in Matroska) is
+/// late by a constant 20 to 50 ms, in other players as here. Differences between times, which are all that
+/// the physics needs, are not affected.
 ///
 /// Integer samples are scaled to `-1.0..1.0`; float samples are taken as they are, except that
 /// NaN and infinity become zero and are reported ([`Warning::NonFinite`]): one bad sample of an
-/// exporting program must not cost the recording, nor spread into everything computed from it.
+/// exporting program should neither make the recording useless nor spread into everything computed from it.
 ///
 /// ```
 /// use bouncelab_audio::Source;
@@ -92,23 +96,23 @@ pub struct Source {
     track: Track,
     layout: Layout,
     presentation: Presentation,
-    /// Decoded frames, all channels; the first is frame `planes_start` of the decoded stream.
+    /// Decoded frames of all channels; the first is frame `planes_start` of the decoded stream.
     planes: Vec<Vec<f32>>,
     planes_start: u64,
-    /// The frames in `planes` that were not yet looked at.
+    /// The frames in `planes` that were not yet returned.
     pending: Range<u64>,
-    /// What comes before: frames that were lost, for which silence is handed out.
+    /// Lost frames before those, for which silence is returned.
     hole: Range<u64>,
     silence: Vec<Vec<f32>>,
     gaps: Vec<Gap>,
     blanks: Blanks,
-    /// How many frames were handed out.
+    /// Number of frames that were returned.
     presented: u64,
     ended: bool,
     warnings: Vec<Warning>,
 }
 
-/// A stretch of consecutive samples of all channels.
+/// Consecutive samples of all channels.
 #[derive(Debug, Clone)]
 pub struct Block<'a> {
     planes: &'a [Vec<f32>],
@@ -126,17 +130,17 @@ impl Block<'_> {
         &self.planes[channel][self.within.clone()]
     }
 
-    /// How many channels there are: always [`Source::channels`].
+    /// Number of channels: always [`Source::channels`].
     pub fn channels(&self) -> usize {
         self.planes.len()
     }
 
-    /// How many samples each channel has: 1 to [`MAX_BLOCK_FRAMES`].
+    /// Number of samples of each channel: 1 to [`MAX_BLOCK_FRAMES`].
     pub fn frames(&self) -> usize {
         self.within.len()
     }
 
-    /// The place of the first sample in the recording, in frames.
+    /// Index of the first frame in the recording.
     pub fn start_frame(&self) -> u64 {
         self.start_frame
     }
@@ -166,8 +170,8 @@ impl Source {
         let name = String::from(Plain::path(path));
         let failed = |reason| Error::io(&name, reason);
         let about = fs::metadata(path).map_err(failed)?;
-        // Opening a folder succeeds on some systems and fails with the strangest errors on others; opening a pipe
-        // waits for somebody who writes.
+        // Opening a folder succeeds on some systems and fails with unrelated errors on others; opening a pipe waits
+        // until another program writes into it.
         if about.is_dir() {
             return Err(Error::Directory { name });
         }
@@ -198,7 +202,7 @@ impl Source {
         R: Read + Seek + Send + Sync + 'static,
     {
         let fail = |reason| Error::io(name, reason);
-        let mut reader = Input::new(reader).map_err(fail)?;
+        let mut reader = MediaInput::new(reader).map_err(fail)?;
         let container = match content::identify(&mut reader).map_err(fail)? {
             Content::Sound(container) => container,
             Content::Other(looks_like) => {
@@ -250,8 +254,8 @@ impl Source {
         Ok(source)
     }
 
-    /// Decodes up to the first sound. A source that exists can be read, and its layout is that of
-    /// the sound, not of a header that may differ.
+    /// Decodes the first sound. A source that exists can be read, and its layout is that of
+    /// the sound, from which that of the header may differ.
     fn start(mut track: Track, name: &str) -> Result<Self> {
         let mut planes = Vec::new();
         let Step { lost, next } = track.step(name, &mut planes)?;
@@ -286,23 +290,23 @@ impl Source {
         Ok(source)
     }
 
-    /// Samples in a second of each channel.
+    /// Samples of each channel per second, in Hz.
     pub fn sample_rate_hz(&self) -> u32 {
         self.layout.sample_rate_hz
     }
 
-    /// How many channels there are: 1 to 64.
+    /// Number of channels: 1 to 64.
     pub fn channels(&self) -> usize {
         self.layout.channels
     }
 
-    /// What the recording is, for people: for example "AAC in MOV" or "16-bit WAV".
+    /// The format for people, such as "AAC in MOV" or "16-bit WAV".
     pub fn format(&self) -> String {
         let format = self.description.map(str::to_owned);
         format.unwrap_or_else(|| self.track.format())
     }
 
-    /// What it was before it was made a recording.
+    /// This source with another description of its format.
     pub(crate) fn described_as(mut self, description: &'static str) -> Self {
         self.description = Some(description);
         self
@@ -313,21 +317,21 @@ impl Source {
         &self.name
     }
 
-    /// How long the sound is according to the file, in seconds; `None` if it does not say, as
-    /// recordings from a browser do not. For progress, not for physics: the header may be wrong,
-    /// and without a header it is an estimate.
+    /// Duration of the sound in seconds according to the file; `None` if the file does not state it, as
+    /// recordings of browsers do not. It is meant for a display of progress: the header may be wrong,
+    /// and without a header the duration is an estimate.
     pub fn duration_s(&self) -> Option<f64> {
         let announced = self.track.announced(self.layout, &self.presentation)?;
         Some(self.seconds(announced.frames))
     }
 
-    /// What was wrong with the recording, as far as it was read.
+    /// The damage of the recording, as far as it was read.
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
     }
 
-    /// Where sound was lost, as far as it was read: silence stands in its place. What a
-    /// [`Recorder`](crate::Recorder) noted of its own file is known at once.
+    /// The places where sound was lost, as far as the recording was read; silence stands in them. Those that a
+    /// [`Recorder`](crate::Recorder) noted in its file are known at once.
     pub fn gaps(&self) -> &[Gap] {
         &self.gaps
     }
@@ -336,15 +340,16 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// [`Error::Io`] if the system fails to read, [`Error::TooLong`] after 24 hours, or less of many
+    /// [`Error::Io`] if the system fails to read, [`Error::TooLong`] after 24 hours, or less with many
     /// channels at a high rate. Damage in the file is no
-    /// error here: what can be decoded is, and the rest is in [`Source::warnings`].
+    /// error here: everything that can be decoded is returned, and [`Source::warnings`] state the rest.
     pub fn next_block(&mut self) -> Result<Option<Block<'_>>> {
-        let most = self.most_frames();
-        if self.presented.max(self.pending.end) > most {
+        let max_frames = self.max_frames();
+        if self.presented.max(self.pending.end) > max_frames {
             return Err(Error::TooLong {
                 name: self.name.clone(),
-                most_h: (self.seconds(most) / 36.0).floor() / 100.0,
+                // In hundredths of an hour, which are 36 s.
+                max_h: (self.seconds(max_frames) / 36.0).floor() / 100.0,
             });
         }
         loop {
@@ -358,8 +363,8 @@ impl Source {
             if let Some(part) = self.presentation.first_within(&self.pending) {
                 let end = part.end.min(part.start + MAX_BLOCK_FRAMES as u64);
                 self.pending.start = end;
-                let place = |frame| (frame - self.planes_start) as usize;
-                let within = place(part.start)..place(end);
+                let index = |frame| (frame - self.planes_start) as usize;
+                let within = index(part.start)..index(end);
                 return Ok(Some(self.block(within, false)));
             }
             if self.ended {
@@ -369,13 +374,13 @@ impl Source {
         }
     }
 
-    /// How many frames are read at most.
-    fn most_frames(&self) -> u64 {
-        let in_time = MOST_S * u64::from(self.layout.sample_rate_hz);
-        in_time.min(MOST_SAMPLES / self.layout.channels as u64)
+    /// Maximum number of frames that are read.
+    fn max_frames(&self) -> u64 {
+        let in_time = MAX_DURATION_S * u64::from(self.layout.sample_rate_hz);
+        in_time.min(MAX_SAMPLES / self.layout.channels as u64)
     }
 
-    /// The next block: these frames of the planes, or as many of silence.
+    /// The next block: these frames of the planes, or as many frames of silence.
     fn block(&mut self, within: Range<usize>, is_silence: bool) -> Block<'_> {
         let start_frame = self.presented;
         self.presented += within.len() as u64;
@@ -390,7 +395,7 @@ impl Source {
         }
     }
 
-    /// Puts the next packet into `planes`, or finds the end.
+    /// Decodes the next packet into `planes`, or ends the recording.
     fn decode_more(&mut self) -> Result<()> {
         let at = self.pending.end;
         if at >= self.presentation.end() {
@@ -400,7 +405,7 @@ impl Source {
         let Step { lost, next } = self.track.step(&self.name, &mut self.planes)?;
         let at = self.lose(at, lost);
         match next {
-            _ if lost.is_some() && self.gaps.len() > MOST_GAPS => self.end(at, true),
+            _ if lost.is_some() && self.gaps.len() > MAX_GAPS => self.end(at, true),
             Next::Sound(layout) if layout != self.layout => {
                 self.warnings.push(Warning::FormatChange {
                     at_s: self.presented_s(at),
@@ -424,7 +429,7 @@ impl Source {
         Ok(())
     }
 
-    /// Notes that sound was lost from this decoded frame on; where it sets in again.
+    /// Notes that sound was lost from the decoded frame `at` on; returns the frame with which it continues.
     fn lose(&mut self, at: u64, lost: Option<Lost>) -> u64 {
         let Some(Lost { frames, certain }) = lost else {
             return at;
@@ -455,6 +460,7 @@ impl Source {
         }
     }
 
+    /// Ends the recording at this decoded frame.
     fn stop(&mut self, at: u64) {
         self.ended = true;
         self.pending = at..at;
@@ -463,19 +469,19 @@ impl Source {
         }
     }
 
-    /// Notes that the sound up to this decoded frame is not what was encoded, wherever that is.
+    /// Notes that the sound before this decoded frame differs somewhere from the encoded sound.
     fn note_altered(&mut self, at: u64) {
         let read_s = self.presented_s(at);
         self.warnings.push(Warning::Altered { read_s });
     }
 
-    /// Stops, and warns if that is too early: because the file is broken there, or is shorter than
-    /// it says.
-    fn end(&mut self, at: u64, broken: bool) {
+    /// Ends the recording at this decoded frame, and warns if that is too early: if the file cannot be read behind it
+    /// (`is_broken`), or is shorter than announced.
+    fn end(&mut self, at: u64, is_broken: bool) {
         self.stop(at);
-        // A recorder that says where it lost sound has put zeros there.
+        // A recorder writes zeros where it notes a loss: these are no further damage.
         let noted = self.gaps.len() as u64;
-        let blanks = self.blanks.odd().filter(|(places, ..)| *places > noted);
+        let blanks = self.blanks.suspect().filter(|(places, ..)| *places > noted);
         if let Some((places, first, frames)) = blanks {
             self.warnings.push(Warning::Blank {
                 places,
@@ -487,30 +493,30 @@ impl Source {
         let announced = self.track.announced(self.layout, &self.presentation);
         let counted = announced.and_then(|it| Some((self.seconds(it.frames), it.tolerance_s?)));
         let is_short = |(expected_s, tolerance_s)| expected_s - read_s > tolerance_s;
-        if broken || counted.is_some_and(is_short) {
+        if is_broken || counted.is_some_and(is_short) {
             let expected_s = counted.filter(|it| is_short(*it)).map(|it| it.0);
             self.warnings
                 .push(Warning::Truncated { read_s, expected_s });
         }
     }
 
-    /// Replaces what is not a number.
+    /// Replaces damaged samples by zero.
     fn scrub(&mut self) {
-        // A damaged number may be anything; no other sound is ten million times full scale.
-        let is_odd = |sample: &f32| sample.is_nan() || sample.abs() >= 1e7;
-        // Nearly always there is none, which is soon seen of many at once.
-        let any_odd = |plane: &Vec<f32>| plane.iter().fold(false, |any, it| any | is_odd(it));
-        if !self.planes.iter().any(any_odd) {
+        let is_invalid = |sample: &f32| sample.is_nan() || sample.abs() >= MIN_DAMAGED;
+        // Fast path: nearly all blocks have valid samples only, which a pass without branches shows.
+        let has_invalid =
+            |plane: &Vec<f32>| plane.iter().fold(false, |any, it| any | is_invalid(it));
+        if !self.planes.iter().any(has_invalid) {
             return;
         }
         let mut count = 0;
         let mut first = usize::MAX;
         for plane in &mut self.planes {
-            for (place, sample) in plane.iter_mut().enumerate() {
-                if is_odd(sample) {
+            for (index, sample) in plane.iter_mut().enumerate() {
+                if is_invalid(sample) {
                     *sample = 0.0;
                     count += 1;
-                    first = first.min(place);
+                    first = first.min(index);
                 }
             }
         }
@@ -539,15 +545,12 @@ impl Source {
     }
 }
 
-/// More gaps than this are no recording: it is read up to there.
-const MOST_GAPS: usize = 1_000;
-
-/// Whether sound of so many samples a second and channels is of use; samples that come from no file are
-/// held to the same limits.
+/// Checks the sample rate and the number of channels of sound, which may also come from a microphone.
 ///
 /// # Errors
 ///
-/// [`Error::UnsupportedLayout`] with this name, if it is not.
+/// [`Error::UnsupportedLayout`] with this name, if the rate is below [`MIN_SAMPLE_RATE_HZ`] or above
+/// [`MAX_SAMPLE_RATE_HZ`], or there are more than 64 channels.
 ///
 /// ```
 /// assert!(bouncelab_audio::check_layout(44_100, 2, "microphone").is_ok());
@@ -557,17 +560,17 @@ pub fn check_layout(sample_rate_hz: u32, channels: usize, name: &str) -> Result<
     let problem = if sample_rate_hz < MIN_SAMPLE_RATE_HZ {
         LayoutProblem::TooSlow {
             sample_rate_hz,
-            least_hz: MIN_SAMPLE_RATE_HZ,
+            min_hz: MIN_SAMPLE_RATE_HZ,
         }
     } else if sample_rate_hz > MAX_SAMPLE_RATE_HZ {
         LayoutProblem::TooFast {
             sample_rate_hz,
-            most_hz: MAX_SAMPLE_RATE_HZ,
+            max_hz: MAX_SAMPLE_RATE_HZ,
         }
     } else if channels > MAX_CHANNELS {
         LayoutProblem::TooManyChannels {
             channels,
-            most: MAX_CHANNELS,
+            max: MAX_CHANNELS,
         }
     } else {
         return Ok(());

@@ -1,14 +1,14 @@
-//! Opus packets to samples.
+//! Decodes packets of Opus.
 
 use opus_pure::OpusDecoder;
 use symphonia::core::errors::{Error, Result as SymphoniaResult};
 
 use super::codec::has_run;
 
-/// Opus always decodes to this rate, whatever the microphone ran at.
+/// Sample rate of the decoded sound in Hz, whatever the rate of the microphone was.
 pub(super) const SAMPLE_RATE_HZ: u16 = 48_000;
 
-/// The longest packet: 120 ms.
+/// Maximum number of frames in a packet: 120 ms (RFC 6716 section 3.2.5).
 const MAX_FRAMES: usize = SAMPLE_RATE_HZ as usize * 120 / 1_000;
 
 /// The identification header, RFC 7845 section 5.1.
@@ -22,7 +22,7 @@ pub(super) struct Head {
 }
 
 impl Head {
-    /// Reads the header; the message says why it cannot be decoded.
+    /// Parses the header; the error states why the sound cannot be decoded.
     pub(super) fn parse(header: &[u8]) -> Result<Self, String> {
         let fields = header
             .strip_prefix(b"OpusHead")
@@ -57,8 +57,8 @@ pub(super) struct Decoder {
     inner: OpusDecoder,
     head: Head,
     interleaved: Vec<f32>,
-    /// How many frames the latest packet had, and how many packets in a row had as many.
-    usual: (usize, u32),
+    /// Number of frames of the latest packet, and number of successive packets of that length.
+    latest: (usize, u32),
 }
 
 impl Decoder {
@@ -69,7 +69,7 @@ impl Decoder {
             inner,
             head,
             interleaved: vec![0.0; MAX_FRAMES * head.channels],
-            usual: (0, 0),
+            latest: (0, 0),
         })
     }
 
@@ -79,11 +79,11 @@ impl Decoder {
         packet: &[u8],
         planes: &mut Vec<Vec<f32>>,
     ) -> SymphoniaResult<()> {
-        // To the decoder an empty packet means a lost one, to be guessed; here it is damage.
+        // The decoder conceals a lost packet where it gets an empty one; in a file an empty packet is damage.
         if packet.is_empty() {
             return Err(Error::DecodeError("empty Opus packet"));
         }
-        // Only padding, which the first two bytes announce (RFC 6716 section 3.2.5), is a row of zeros.
+        // Only padding, which the first two bytes announce (RFC 6716 section 3.2.5), is a run of zeros.
         let is_padded = packet[0] & 3 == 3 && packet.get(1).is_some_and(|count| count & 0x40 != 0);
         if has_run(packet, &0) && !is_padded {
             return Err(Error::DecodeError("overwritten Opus packet"));
@@ -104,14 +104,15 @@ impl Decoder {
         Ok(())
     }
 
-    /// Any bytes are a packet of some length to the decoder; recorders keep to one.
+    /// Refuses a packet of another length than those before. The decoder accepts any bytes as a packet of some length,
+    /// but recorders write packets of one length.
     fn check_length(&mut self, frames: usize) -> SymphoniaResult<()> {
-        /// After so many equal packets another length is damage.
-        const MANY: u32 = 8;
-        match &mut self.usual {
-            (usual, count) if *usual == frames => *count += 1,
-            (_, MANY..) => return Err(Error::DecodeError("Opus packet of another length")),
-            usual => *usual = (frames, 1),
+        /// Minimum number of successive packets of equal length after which another length is damage.
+        const MIN_EQUAL: u32 = 8;
+        match &mut self.latest {
+            (length, count) if *length == frames => *count += 1,
+            (_, MIN_EQUAL..) => return Err(Error::DecodeError("Opus packet of another length")),
+            latest => *latest = (frames, 1),
         }
         Ok(())
     }

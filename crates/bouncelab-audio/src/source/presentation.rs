@@ -1,7 +1,7 @@
-//! Which of the decoded frames are meant to be heard.
+//! Which of the decoded frames are presented.
 //!
-//! Lossy encoders put frames in front of the sound that only warm the decoder up, and fill the
-//! last packet. Containers say how many; what is left is the *presented* sound, and its first
+//! Lossy encoders write frames in front of the sound that only prepare the decoder (priming), and fill the
+//! last packet (padding). Containers state how many; the rest is the *presented* sound, whose first
 //! frame is time zero.
 
 use std::ops::Range;
@@ -34,7 +34,7 @@ impl Presentation {
         (in_order && none_empty && !stretches.is_empty()).then_some(Self { stretches })
     }
 
-    /// One past the last decoded frame that is heard.
+    /// One past the last decoded frame that is presented.
     pub(super) fn end(&self) -> u64 {
         self.stretches.last().map_or(0, |last| last.end)
     }
@@ -49,7 +49,7 @@ impl Presentation {
             .find(|part| part.start < part.end)
     }
 
-    /// How many of the first `decoded` frames are presented.
+    /// Number of presented frames among the first `decoded` frames.
     pub(super) fn count(&self, decoded: u64) -> u64 {
         let len = |stretch: &Range<u64>| stretch.end.min(decoded).saturating_sub(stretch.start);
         self.stretches.iter().map(len).sum()
@@ -62,13 +62,13 @@ mod tests {
 
     #[test]
     fn decoded_frames_are_cut_at_every_stretch() {
-        let heard = Presentation::stretches(vec![10..20, 30..40]).unwrap();
-        assert_eq!(heard.first_within(&(0..10)), None);
-        assert_eq!(heard.first_within(&(0..35)), Some(10..20));
-        assert_eq!(heard.first_within(&(20..35)), Some(30..35));
-        assert_eq!(heard.first_within(&(40..99)), None);
-        assert_eq!((heard.count(35), heard.count(1000)), (15, 20));
-        assert_eq!(heard.end(), 40);
+        let presentation = Presentation::stretches(vec![10..20, 30..40]).unwrap();
+        assert_eq!(presentation.first_within(&(0..10)), None);
+        assert_eq!(presentation.first_within(&(0..35)), Some(10..20));
+        assert_eq!(presentation.first_within(&(20..35)), Some(30..35));
+        assert_eq!(presentation.first_within(&(40..99)), None);
+        assert_eq!((presentation.count(35), presentation.count(1000)), (15, 20));
+        assert_eq!(presentation.end(), 40);
     }
 
     #[test]

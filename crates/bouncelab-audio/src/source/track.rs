@@ -1,4 +1,4 @@
-//! The one audio track of a file that is read: packets in, decoded frames out.
+//! The audio track of a file that is read: packets in, decoded frames out.
 
 use std::collections::VecDeque;
 use std::io::{self, SeekFrom};
@@ -30,41 +30,42 @@ pub(super) struct Track {
     params: AudioCodecParameters,
     decoder: Decoder,
     edits: Vec<Edit>,
+    /// What the tag of iTunes states in place of edits.
     itunes: Option<Presentation>,
     clock: Clock,
     framing: Framing,
-    /// What was read but not yet decoded.
+    /// Packets that were read but not yet decoded.
     ahead: VecDeque<Pulled>,
-    /// How many packets were decoded, or could not be.
+    /// Number of packets that the decoder was given.
     packets: u64,
-    /// How many frames the latest packet held.
+    /// Number of frames of the latest packet.
     packet_frames: u64,
-    /// Whether anything was lost so far.
+    /// Whether sound was lost so far.
     has_lost: bool,
-    /// The last complaint of demuxer or decoder.
+    /// The last error of demuxer or decoder.
     fault: Option<String>,
 }
 
-/// What came of the next packets.
+/// The next sound of a track.
 pub(super) struct Step {
-    /// What was lost in front of it.
+    /// The sound that was lost in front of it.
     pub(super) lost: Option<Lost>,
     pub(super) next: Next,
 }
 
-/// What came behind what was lost.
+/// What follows in a track.
 pub(super) enum Next {
     /// Sound of this layout.
     Sound(Layout),
-    /// There is no more. Whether there should be is told by what the container announced.
+    /// The end. Whether the file should be longer follows from the length that its container announces.
     End,
-    /// There is more, but it cannot be read.
+    /// Packets that cannot be read.
     Broken,
-    /// There is no more, and what there was is not what was encoded.
+    /// The end of sound that differs from the encoded sound.
     Altered,
 }
 
-/// What the container gave.
+/// What the demuxer returned.
 enum Pulled {
     Packet(Packet),
     End,
@@ -75,7 +76,8 @@ enum Pulled {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Announced {
     pub(super) frames: u64,
-    /// By how many seconds less is not less; `None` if it is estimated from the size of the file.
+    /// By how many seconds the sound may be shorter before it counts as cut short; `None` if the length is only estimated
+    /// from the size of the file.
     pub(super) tolerance_s: Option<f64>,
 }
 
@@ -99,8 +101,8 @@ impl Track {
         let (info, params, decoder) = choose(reader.tracks(), container, name)?;
         let edits = edits.into_iter().find(|track| track.track_id == info.id);
         let is_own = |track: Option<u32>| track.is_none_or(|track| track == info.id);
-        framing.breaks.retain(|place| is_own(place.track));
-        // The next one is the last of them.
+        framing.breaks.retain(|missing| is_own(missing.track));
+        // They are taken from the end of the list.
         framing.breaks.reverse();
         Ok(Self {
             container,
@@ -131,17 +133,17 @@ impl Track {
         }
     }
 
-    /// Whether the file holds the samples as they are, without anything that would show damage.
+    /// Whether the codec is lossless and has no checksum that would show damage.
     pub(super) fn is_plain(&self) -> bool {
         codec::is_plain(self.params.codec)
     }
 
-    /// Whether frames of a stream are not those that were encoded, though none is missing.
+    /// Whether frames of a stream differ from the encoded ones although none is missing.
     pub(super) fn is_altered(&self) -> bool {
         self.framing.is_altered
     }
 
-    /// Which decoded frames are heard; `None` if the edit list cannot be followed.
+    /// The decoded frames that are presented; `None` if the edit list cannot be followed.
     pub(super) fn presentation(&self, layout: Layout) -> Option<Presentation> {
         let rate = f64::from(layout.sample_rate_hz);
         if self.edits.is_empty() {
@@ -160,7 +162,7 @@ impl Track {
         Presentation::stretches(self.edits.iter().map(stretch).collect())
     }
 
-    /// Which decoded frames are heard according to anything but edits.
+    /// The decoded frames that are presented according to anything but edits.
     pub(super) fn unedited(&self) -> Presentation {
         if self.params.codec == CODEC_ID_OPUS {
             let head = codec::opus_head(&self.params);
@@ -183,8 +185,8 @@ impl Track {
 
     /// How much presented sound the container announces.
     pub(super) fn announced(&self, layout: Layout, presented: &Presentation) -> Option<Announced> {
-        /// Headers that count in packets or in milliseconds.
-        const ROUGH_S: f64 = 0.05;
+        /// Tolerance in seconds, where headers count packets or milliseconds.
+        const COARSE_S: f64 = 0.05;
         let media = self.reader.media_info();
         let frames = match self.container {
             // Counted in presented time.
@@ -200,13 +202,13 @@ impl Track {
                 .map(|decoded| presented.count(decoded)),
         };
         let tolerance_s = match self.container {
-            SoundFormat::Mp3 => self.info.delay.map(|_| ROUGH_S),
+            SoundFormat::Mp3 => self.info.delay.map(|_| COARSE_S),
             SoundFormat::Aac => None,
             SoundFormat::Wav | SoundFormat::Aiff | SoundFormat::Flac => Some(0.0),
             SoundFormat::Caf => Some(self.packet_s()),
-            _ => Some(ROUGH_S),
+            _ => Some(COARSE_S),
         };
-        // A file written as a stream announces nothing, which some readers turn into zero.
+        // A file that was written as a stream announces no length, for which some demuxers return zero.
         let frames = frames.filter(|frames| *frames > 0)?;
         Some(Announced {
             frames,
@@ -214,7 +216,7 @@ impl Track {
         })
     }
 
-    /// How long a packet lasts that is not a row of samples: some encoders count the last one as whole.
+    /// Length of a packet in seconds, zero for PCM: some encoders count the last packet as a whole one.
     fn packet_s(&self) -> f64 {
         let frames = self.params.max_frames_per_packet.unwrap_or(0);
         let rate_hz = f64::from(self.params.sample_rate.unwrap_or(0).max(1));
@@ -236,7 +238,10 @@ impl Track {
         }
     }
 
-    /// Reads and decodes up to the next sound and puts it into the planes.
+    /// Reads and decodes up to the next sound and writes it into the planes.
+    ///
+    /// Sound that is lost on the way is added up: packets that are missing, that cannot be decoded, and that decode to
+    /// wrong sound since they depend on missing ones.
     ///
     /// # Errors
     ///
@@ -265,13 +270,14 @@ impl Track {
                 Ok(layout) => {
                     let frames = planes.first().map_or(0, Vec::len) as u64;
                     if let (Some(lost), 0, false) = (&mut lost, frames, has_clock) {
-                        // Vorbis begins with a packet that gives nothing.
+                        // The first packet of Vorbis behind a loss gives no sound.
                         lost.frames += self.frames_in(&packet);
                     }
                     self.packet_frames = frames;
                     self.clock.advance(&self.info, &packet, frames, layout);
                     match &mut lost {
                         _ if frames == 0 => {}
+                        // This sound depends on lost packets, so it is lost too.
                         Some(lost) if self.decoder.is_cold(planes, warm_ups) => {
                             lost.frames += frames;
                             warm_ups += 1;
@@ -292,7 +298,7 @@ impl Track {
                             next: Next::Broken,
                         });
                     }
-                    // A clock tells with the next packet how long this one was.
+                    // With a clock, the time of the next packet gives the length of this one.
                     let frames = if has_clock {
                         0
                     } else {
@@ -332,13 +338,13 @@ impl Track {
                 }
                 Ok(Some(_)) => {}
                 Ok(None) => return Ok(self.ends()),
-                // Files that were written as a stream just stop, in the view of some readers.
+                // To some demuxers a file that was written as a stream ends unexpectedly.
                 Err(SymphoniaError::IoError(fault))
                     if fault.kind() == io::ErrorKind::UnexpectedEof =>
                 {
                     return Ok(self.ends());
                 }
-                // Readers report damage as made-up system errors too; the real ones have a number.
+                // Demuxers report damage as system errors too; only those of the system have a number.
                 Err(SymphoniaError::IoError(fault)) if fault.raw_os_error().is_some() => {
                     return Err(Error::io(name, fault));
                 }
@@ -349,7 +355,8 @@ impl Track {
         Ok(Pulled::Broken)
     }
 
-    /// The last page of an Ogg file is marked, and tells the length.
+    /// The end of the packets. The last page of an Ogg file is marked, and the length follows from it: without a length
+    /// that page is missing.
     fn ends(&self) -> Pulled {
         if self.container == SoundFormat::Ogg && self.info.num_frames.is_none() {
             Pulled::Broken
@@ -358,7 +365,7 @@ impl Track {
         }
     }
 
-    /// What was lost before this packet; something was before if it `is_pending`.
+    /// What was lost directly before this packet; `is_pending` if packets before it were lost already.
     fn lost_before(
         &mut self,
         packet: &Packet,
@@ -371,10 +378,10 @@ impl Track {
         let packets = self.packets;
         self.packets += 1;
         let breaks = &mut self.framing.breaks;
-        let Some(place) = breaks.pop_if(|place| place.packet <= packets) else {
+        let Some(next) = breaks.pop_if(|next| next.packet <= packets) else {
             return Ok(None);
         };
-        Ok(Some(match place.missing {
+        Ok(Some(match next.missing {
             Missing::Packets { count, certain } => Lost {
                 frames: count * self.packet_frames,
                 certain,
@@ -383,13 +390,14 @@ impl Track {
                 passed,
                 page_packets,
             } => {
+                // The packets of the page are present; the rest of the time passed is missing.
                 let ticks = ticks(packet) + self.ticks_ahead(page_packets - 1, name)?;
                 Lost::certain(passed.saturating_sub(ticks))
             }
         }))
     }
 
-    /// How long the next packets last.
+    /// Length in ticks of the next packets, which are read ahead.
     fn ticks_ahead(&mut self, packets: u64, name: &str) -> Result<u64> {
         while (self.ahead.len() as u64) < packets {
             let pulled = self.read_on(name)?;
@@ -407,8 +415,8 @@ impl Track {
         Ok(ticks.sum())
     }
 
-    /// How many frames a packet holds that cannot be decoded: as the container has it, or, as
-    /// Matroska seldom says, as many as the one before.
+    /// Number of frames of a packet that cannot be decoded: that of the container or, where the container does not
+    /// state it, as often in Matroska, that of the packet before.
     fn frames_in(&self, packet: &Packet) -> u64 {
         let base = self.info.time_base;
         let seconds = base.and_then(|base| base.calc_duration(packet.block_dur()));
@@ -422,11 +430,12 @@ impl Track {
     }
 }
 
-/// How long a packet of Ogg lasts by the clock of its page, which counts what is cut off in front.
+/// Length in ticks of a packet of Ogg. The clock of its page counts what is trimmed from its start, too.
 fn ticks(packet: &Packet) -> u64 {
     packet.dur.saturating_add(packet.trim_start).get()
 }
 
+/// Number of frames of a duration.
 fn frames_lasting(
     layout: Layout,
     base: Option<TimeBase>,
@@ -449,7 +458,7 @@ fn open_reader(
     })
 }
 
-/// What the iTunSMPB tag, which iTunes and others write instead of an edit list, says is heard.
+/// The presented frames according to the tag iTunSMPB, which iTunes and others write in place of an edit list.
 fn itunes_gapless(reader: &mut dyn FormatReader) -> Option<Presentation> {
     let mut metadata = reader.metadata();
     let tags = &metadata.skip_to_latest()?.media.tags;
@@ -460,12 +469,12 @@ fn itunes_gapless(reader: &mut dyn FormatReader) -> Option<Presentation> {
     parse_itunes_gapless(text)
 }
 
-/// Hexadecimal fields: zero, delay, padding, frames that are heard, and more.
+/// Parses its hexadecimal fields: zero, delay, padding, number of presented frames, and more.
 fn parse_itunes_gapless(text: &str) -> Option<Presentation> {
     let mut fields = text.split_ascii_whitespace().skip(1);
     let mut field = || u64::from_str_radix(fields.next()?, 16).ok();
-    let (delay, _padding, heard) = (field()?, field()?, field()?);
-    Presentation::only(delay..delay.checked_add(heard)?)
+    let (delay, _padding, presented) = (field()?, field()?, field()?);
+    Presentation::only(delay..delay.checked_add(presented)?)
 }
 
 /// The best track that can be decoded, with its decoder.

@@ -1,4 +1,4 @@
-//! Headers of WAV files that the demuxer cannot follow: those of long recordings, whose sizes have 64
+//! Headers of WAV files that the demuxer cannot read: those of long recordings, whose sizes have 64
 //! bits, and those of recorders that were stopped before they wrote the sizes.
 //!
 //! RF64 is EBU Tech 3306, BW64 its successor ITU-R BS.2088; W64 is the format of Sonic Foundry, with names
@@ -9,19 +9,20 @@ use std::ops::Range;
 
 use crate::lost_chunk;
 
-/// No recorder writes so many chunks in front of the sound, nor so long a description of it.
-const MOST_CHUNKS: usize = 64;
-const MOST_FORMAT: u64 = 1 << 10;
-/// Nor loses it sound so often.
-const MOST_LOST: u64 = 1 << 20;
+/// Maximum number of chunks that are read: recorders write fewer in front of the sound.
+const MAX_CHUNKS: usize = 64;
+/// Maximum length in bytes of the description of the sound (chunk `fmt `).
+const MAX_FORMAT_LEN: u64 = 1 << 10;
+/// Maximum length in bytes of the list of losses (chunk `lost`).
+const MAX_LOST_LEN: u64 = 1 << 20;
 
-/// The size that says that the real one stands elsewhere, or is not known.
+/// The size of a chunk whose size stands elsewhere or was not known.
 const UNKNOWN: u32 = u32::MAX;
 
-/// How the names of a W64 file and of its sound begin, and how they go on.
+/// The name with which a W64 file begins.
 const W64_FILE: &[u8; 16] = b"riff\x2e\x91\xcf\x11\xa5\xd6\x28\xdb\x04\xc1\x00\x00";
 
-/// Whether the first bytes are those of a WAV or one of its relatives.
+/// Whether the first bytes are those of a WAV, RF64, BW64 or W64.
 pub(crate) fn is_wave(head: &[u8]) -> bool {
     let is_long = head.starts_with(W64_FILE) && head.get(24..28) == Some(b"wave");
     let has_marker = [b"RIFF", b"RF64", b"BW64"]
@@ -30,34 +31,34 @@ pub(crate) fn is_wave(head: &[u8]) -> bool {
     is_long || (has_marker && head.get(8..12) == Some(b"WAVE"))
 }
 
-/// A header that the demuxer can follow, and the bytes of the sound behind it.
+/// A header that the demuxer can read, and the range of bytes of the sound behind it.
 #[derive(Debug, PartialEq)]
 pub(super) struct Mended {
     pub(super) header: Vec<u8>,
     pub(super) sound: Range<u64>,
 }
 
-/// What a file says in front of its sound and behind it.
+/// What a file states in front of its sound and behind it.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Header {
-    /// Another header, if it has to be another.
+    /// A replacement, if the demuxer cannot read the header.
     pub(super) mended: Option<Mended>,
-    /// Whether a recorder was stopped before it said how much sound there is, or more follows than was said.
+    /// Whether a recorder was stopped before it wrote the size of the sound, or more sound follows than the size states.
     pub(super) is_unfinished: bool,
-    /// The content of the chunk that says where sound was lost; empty without one.
+    /// The content of the chunk with the losses of the recorder; empty without one.
     pub(super) lost: Vec<u8>,
-    /// The rate, in Hz, that the bytes a second are those of, where that is not the rate that is stated.
+    /// The rate in Hz that follows from the stated bytes per second, where it differs from the stated rate.
     pub(super) other_rate_hz: Option<f64>,
 }
 
-/// The header of a file that begins here.
+/// Reads the header of a file that begins at the present position.
 pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
     let start = source.stream_position()?;
     let file_len = source.seek(SeekFrom::End(0))?;
     let mut chunks = Chunks::new(source, start)?;
     let mut header = Header::default();
     let (mut format, mut sizes, mut has_sound) = (Vec::new(), None, false);
-    for _ in 0..MOST_CHUNKS {
+    for _ in 0..MAX_CHUNKS {
         let Some((name, content)) = chunks.next(file_len)? else {
             break;
         };
@@ -67,7 +68,7 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
             break;
         }
         match &name {
-            b"fmt " if !has_sound && len <= MOST_FORMAT => format = chunks.read(&content)?,
+            b"fmt " if !has_sound && len <= MAX_FORMAT_LEN => format = chunks.read(&content)?,
             b"ds64" if !has_sound => {
                 sizes = chunks
                     .read(&(content.start..content.start + 16))?
@@ -76,18 +77,18 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
             }
             b"data" if !has_sound => {
                 has_sound = true;
-                let said = chunks.said(&content, sizes.map(u64::from_le_bytes));
-                let said = said.filter(|_| !format.is_empty());
-                header.is_unfinished = said == Some(0);
-                header.mended = said.map(|said| {
-                    let end = match said {
+                let size = chunks.sound_size(&content, sizes.map(u64::from_le_bytes));
+                let usable_size = size.filter(|_| !format.is_empty());
+                header.is_unfinished = usable_size == Some(0);
+                header.mended = usable_size.map(|size| {
+                    let end = match size {
                         0 => file_len,
                         len => content.start.saturating_add(len),
                     };
                     Mended::new(&format, content.start..end)
                 });
             }
-            name if *name == lost_chunk::NAME && header.lost.is_empty() && len <= MOST_LOST => {
+            name if *name == lost_chunk::NAME && header.lost.is_empty() && len <= MAX_LOST_LEN => {
                 header.lost = chunks.read(&content)?;
             }
             _ => {}
@@ -97,26 +98,27 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
     Ok(header)
 }
 
-/// Whether what follows the sound is sound too: a second piece, or more than a second of what is no chunk.
+/// Whether the bytes behind the sound are sound too: a second piece, or more than a second of bytes that are no chunk.
 fn is_uncounted(name: [u8; 4], behind: u64, format: &[u8]) -> bool {
-    let second = number(format, 8).unwrap_or(0);
+    let bytes_per_s = number(format, 8).unwrap_or(0);
     let is_name = name.iter().all(|letter| (b' '..=b'~').contains(letter));
-    name == *b"data" || (!is_name && second > 0 && behind > second.into())
+    name == *b"data" || (!is_name && bytes_per_s > 0 && behind > bytes_per_s.into())
 }
 
-/// The rate that the bytes a second are those of, if the description of a sound of equal frames contradicts itself.
+/// The rate that follows from the bytes per second, if the description contradicts itself. Only for codecs whose frames
+/// have equal lengths.
 fn other_rate_hz(format: &[u8]) -> Option<f64> {
-    /// PCM, floating point, and those of an extensible header.
+    /// Their codes: PCM, floating point, and that of an extensible header.
     const EQUAL_FRAMES: [u16; 3] = [1, 3, 0xfffe];
     let word = |at: usize| Some(u16::from_le_bytes(*format.get(at..)?.first_chunk()?));
     let (rate_hz, bytes_per_s, frame_bytes) = (number(format, 4)?, number(format, 8)?, word(12)?);
-    // Some recorders leave zero where they do not know.
+    // Some recorders write zero for what they do not know.
     let states = EQUAL_FRAMES.contains(&word(0)?) && bytes_per_s > 0 && frame_bytes > 0;
     let implied_hz = f64::from(bytes_per_s) / f64::from(frame_bytes);
     (states && (implied_hz - f64::from(rate_hz)).abs() >= 1.0).then_some(implied_hz)
 }
 
-/// The number of 32 bits at a place in a description of sound.
+/// The number of 32 bits at an offset in a description of sound.
 fn number(format: &[u8], at: usize) -> Option<u32> {
     Some(u32::from_le_bytes(*format.get(at..)?.first_chunk()?))
 }
@@ -139,10 +141,10 @@ impl Mended {
 struct Chunks<'a, S> {
     source: &'a mut S,
     kind: Kind,
-    /// Where the next one begins.
+    /// Position at which the next one begins.
     at: u64,
-    /// The size that the file says it has, behind its first eight bytes.
-    said: u64,
+    /// The size that the file states for itself, without its first eight bytes.
+    stated_size: u64,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -170,7 +172,7 @@ impl<'a, S: Read + Seek> Chunks<'a, S> {
             source,
             kind,
             at: start + header,
-            said: u32::from_le_bytes(size).into(),
+            stated_size: u32::from_le_bytes(size).into(),
         })
     }
 
@@ -200,24 +202,24 @@ impl<'a, S: Read + Seek> Chunks<'a, S> {
         Ok(Some((name, start..end)))
     }
 
-    fn read(&mut self, place: &Range<u64>) -> io::Result<Vec<u8>> {
+    /// The bytes of a range, fewer at the end of the file.
+    fn read(&mut self, range: &Range<u64>) -> io::Result<Vec<u8>> {
         let mut bytes = Vec::new();
-        self.source.seek(SeekFrom::Start(place.start))?;
+        self.source.seek(SeekFrom::Start(range.start))?;
         (&mut *self.source)
-            .take(place.end - place.start)
+            .take(range.end - range.start)
             .read_to_end(&mut bytes)?;
         Ok(bytes)
     }
 
-    /// How long the sound is, if the header does not say it in a way that the demuxer understands; 0 if it was not
-    /// known yet.
-    fn said(&self, content: &Range<u64>, size: Option<u64>) -> Option<u64> {
+    /// The size of the sound in bytes, 0 if it was not known yet; `None` if the demuxer reads it from the header itself.
+    fn sound_size(&self, content: &Range<u64>, size: Option<u64>) -> Option<u64> {
         let len = content.end - content.start;
         match self.kind {
-            // Nothing at all was said, though much follows.
-            Kind::Riff if len == 0 && content.start >= self.said + 8 => Some(0),
-            // More than the whole file is said to hold: of the two, the size nearer to the sound counts.
-            Kind::Riff if content.end > self.said + 8 => Some(len),
+            // The recorder wrote no sizes, although sound follows.
+            Kind::Riff if len == 0 && content.start >= self.stated_size + 8 => Some(0),
+            // The chunk is longer than the file states for itself: the size in front of the sound counts.
+            Kind::Riff if content.end > self.stated_size + 8 => Some(len),
             Kind::Riff => None,
             Kind::Rf64 if len == u64::from(UNKNOWN) => Some(size.unwrap_or(0)),
             Kind::Rf64 | Kind::W64 => Some(len),

@@ -4,7 +4,7 @@
 
 use super::{Entry, to_number};
 
-/// The starts of the labels of a track; `None` if a line is something else, such as a row of a table.
+/// The starts of the labels of a track; `None` if a line is not a label, such as a row of a table.
 pub(super) fn starts(text: &str) -> Option<Vec<Entry>> {
     let is_label = |(line, _): &(&str, usize)| !line.trim().is_empty() && !line.starts_with('\\');
     let lines = text.lines().zip(1..).filter(is_label);

@@ -1,9 +1,9 @@
-//! Headings of columns of times: what is in the column, and in which unit.
+//! Headings of columns of times, and their units.
 
-/// How many seconds the unit of a column of times has, from its heading; `None` if it heads something else.
+/// The unit in seconds of a column of times, by its heading; `None` if the heading is that of another column.
 ///
 /// `time`, `time_ms`, `Impact time (ms)`, `Zeit in s`, `t / µs`: what follows the word for time is its unit. Without one
-/// the times are in seconds. Times of something else, as of a flight, are none of impacts.
+/// the times are in seconds. A heading such as `flight time` is not that of impact times.
 pub(super) fn unit_s(heading: &str) -> Option<f64> {
     let heading = heading.trim().to_ascii_lowercase();
     let words: Vec<&str> = heading
@@ -25,7 +25,7 @@ fn is_time(word: &str) -> bool {
     matches!(word, "time" | "times" | "t" | "zeit" | "temps" | "tiempo")
 }
 
-/// How many seconds a unit has, by its symbol or name in lower case.
+/// The seconds of a unit, by its symbol or name in lower case.
 pub(crate) fn seconds(unit: &str) -> Option<f64> {
     match unit {
         "s" | "sec" | "second" | "seconds" | "sekunden" | "secondes" | "segundos" => Some(1.0),

@@ -1,7 +1,7 @@
 //! `TextGrid` files of Praat, long and short.
 //!
-//! Both are the same series of numbers, texts between quotation marks and flags between angle brackets; all other
-//! words are there for people, and so is what follows an exclamation mark (Praat manual, "`TextGrid` file formats").
+//! Both contain the same series of numbers, texts between quotation marks and flags between angle brackets. All other
+//! words, and everything behind an exclamation mark on a line, are for people (Praat manual, "`TextGrid` file formats").
 
 use bouncelab::Plain;
 
@@ -9,7 +9,7 @@ use super::{Entry, List};
 use crate::error::Result;
 use crate::problem::TimesProblem;
 
-/// The name of the tier of the impacts among others.
+/// The name of the tier with the impacts, if there are several.
 const TIER: &str = "impacts";
 
 /// A tier: its name, and time and line of each point; `None` if it has intervals.
@@ -26,11 +26,11 @@ impl List<'_> {
         if has_points {
             tiers.retain(|(_, points)| points.is_some());
         }
-        let place = match tiers.len() {
+        let index = match tiers.len() {
             1 => Some(0),
             _ => tiers.iter().position(|(name, _)| name == TIER),
         };
-        if let Some(points) = place.and_then(|place| tiers[place].1.take()) {
+        if let Some(points) = index.and_then(|index| tiers[index].1.take()) {
             return Ok(points);
         }
         let names: Vec<&str> = tiers.iter().map(|(name, _)| name.as_str()).collect();
@@ -49,7 +49,7 @@ impl List<'_> {
     }
 }
 
-/// The tiers; `None` if something else comes, or the end.
+/// The tiers; `None` if the text has another structure, or ends within them.
 fn tiers(words: &mut Words<'_>) -> Option<Vec<Tier>> {
     words.text().filter(|kind| kind == "ooTextFile")?;
     words.text().filter(|class| class == "TextGrid")?;
@@ -85,7 +85,7 @@ fn points(words: &mut Words<'_>, count: usize) -> Option<Vec<Entry>> {
     Some(points)
 }
 
-/// A word that means something.
+/// A word with a meaning.
 #[derive(Debug, PartialEq)]
 enum Word<'a> {
     Number(f64),
@@ -93,7 +93,7 @@ enum Word<'a> {
     Flag(&'a str),
 }
 
-/// What is left to read, and its line.
+/// The rest of the text, and its line.
 struct Words<'a> {
     text: &'a str,
     line: usize,
@@ -137,7 +137,7 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// Goes on by so many bytes, and returns them.
+    /// Skips a number of bytes, and returns them.
     fn skip(&mut self, bytes: usize) -> &'a str {
         let (skipped, rest) = self.text.split_at(bytes);
         self.line += skipped.matches('\n').count();
@@ -164,7 +164,7 @@ impl<'a> Words<'a> {
         (number >= 0.0).then_some(number as usize)
     }
 
-    /// Where something begins and ends.
+    /// The beginning and end of a tier or interval.
     fn extent(&mut self) -> Option<[f64; 2]> {
         Some([self.number()?, self.number()?])
     }

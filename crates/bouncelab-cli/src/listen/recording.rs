@@ -39,8 +39,8 @@ pub(super) enum Event {
 
 type Troubles = Arc<Mutex<Vec<String>>>;
 
-/// A recording that goes on.
-pub(super) struct Recording {
+/// A recording in progress.
+pub(super) struct LiveRecording {
     events: Receiver<Event>,
     /// Whether the analysis has heard enough.
     enough: Arc<AtomicBool>,
@@ -66,7 +66,7 @@ pub(super) struct Ended {
     pub(super) result: Result<(), Failure>,
 }
 
-impl Recording {
+impl LiveRecording {
     /// Starts to record so many frames at most.
     pub(super) fn start(
         sound: Sound,

@@ -10,7 +10,7 @@ use bouncelab::setup::Setup;
 use bouncelab::train::{Train, TrainSearch};
 use bouncelab::{Diagnostic, Options, Plain};
 
-use super::recording::{Ended, Event, Recording, is_certain, silence_for};
+use super::recording::{Ended, Event, LiveRecording, is_certain, silence_for};
 use super::save::Saver;
 use super::screen::{Screen, Status};
 use super::sound::{Sound, SoundInfo};
@@ -34,7 +34,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let recording = sound.info();
     let saver = Saver::create(arguments, &recording, sound.sample_format())?;
     let mut session = Session::new(arguments, physics, recording, saver.files().to_vec())?;
-    let recording = Recording::start(sound, saver, Stop::on_request(), session.last_frame)?;
+    let recording = LiveRecording::start(sound, saver, Stop::on_request(), session.last_frame)?;
     session.begin();
     let heard = outlived(&recording, |event| session.take(event, &recording));
     session.conclude(heard, recording.ended())
@@ -43,7 +43,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// Hands on what happens, until the sound ends or `take` has enough. A recording that is saved goes on
 /// though `take` fails or panics; then what comes is left to lie, and the failure told at the end.
 fn outlived(
-    recording: &Recording,
+    recording: &LiveRecording,
     mut take: impl FnMut(Event) -> Result<ControlFlow<()>, Failure>,
 ) -> Result<(), Failure> {
     while let Some(event) = recording.next() {
@@ -161,7 +161,11 @@ impl<'a> Session<'a> {
     }
 
     /// Takes what happens next.
-    fn take(&mut self, event: Event, recording: &Recording) -> Result<ControlFlow<()>, Failure> {
+    fn take(
+        &mut self,
+        event: Event,
+        recording: &LiveRecording,
+    ) -> Result<ControlFlow<()>, Failure> {
         match event {
             Event::Sound(planes, gaps) => {
                 if let Some(gaps) = gaps {
@@ -574,7 +578,7 @@ mod tests {
         let Only { arguments } = Only::parse_from(words);
         let sound = Sound::open(&arguments).unwrap();
         let saver = Saver::create(&arguments, &sound.info(), format).unwrap();
-        let recording = Recording::start(sound, saver, Stop::on_request(), u64::MAX).unwrap();
+        let recording = LiveRecording::start(sound, saver, Stop::on_request(), u64::MAX).unwrap();
         let failure = outlived(&recording, |_| panic!("a fault")).unwrap_err();
         assert_eq!(failure.to_string(), text("listen-fault"));
         assert!(!recording.ended().is_incomplete);
@@ -604,7 +608,8 @@ mod tests {
             let saver = Saver::create(&arguments, &sound.info(), sound.sample_format()).unwrap();
             let files = saver.files().to_vec();
             let mut session = Session::new(&arguments, physics, sound.info(), files).unwrap();
-            let recording = Recording::start(sound, saver, Stop::on_request(), u64::MAX).unwrap();
+            let recording =
+                LiveRecording::start(sound, saver, Stop::on_request(), u64::MAX).unwrap();
             let heard = outlived(&recording, |event| session.take(event, &recording));
             let concluded = session.conclude(heard, recording.ended());
             let source = bouncelab_audio::Source::open(&saved).unwrap();

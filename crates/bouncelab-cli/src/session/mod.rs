@@ -178,7 +178,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let outputs = arguments.outputs.outputs(session.inputs());
     arguments.check(&outputs)?;
     let title = session.title.take();
-    let remark = session.odd_names.remark(translator());
+    let remark = session.unmatched_names.remark(translator());
     let recordings = MetadataOptions {
         settings: &settings,
         resolve: &|settings| {

@@ -279,7 +279,7 @@ session-tables = Tabellen: { $list }
 session-no-drop = keine Aufnahme enthält einen springenden Ball
 session-damaged-journal = { $count } Zeilen des Journals sind abgeschnitten oder beschädigt und zählen nicht
 session-died = ihre Auswertung hat ihren Prozess zweimal beendet, das zweite Mal allein ({ $how }); ist sie lang, gib ihr mehr mit --memory, sonst melde es bitte
-session-odd-names = { $count ->
+session-unmatched-names = { $count ->
     [one] 1 Name passt
    *[other] { $count } Namen passen
   } nicht zum Muster „{ $pattern }“: { $names }

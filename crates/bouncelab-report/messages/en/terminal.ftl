@@ -281,7 +281,7 @@ session-tables = Tables: { $list }
 session-no-drop = no recording holds a drop
 session-damaged-journal = { $count } lines of the journal are truncated or damaged, and are ignored
 session-died = its analysis ended its process twice, the second time alone ({ $how }); if it is long, give it more --memory, else please report it
-session-odd-names = { $count ->
+session-unmatched-names = { $count ->
     [one] 1 name does
    *[other] { $count } names do
   } not fit the pattern "{ $pattern }": { $names }

@@ -280,7 +280,7 @@ session-tables = Tablas: { $list }
 session-no-drop = ninguna grabación contiene un ensayo
 session-damaged-journal = { $count } líneas del diario están truncadas o dañadas, y no se tienen en cuenta
 session-died = su análisis terminó su proceso dos veces, la segunda a solas ({ $how }); si es larga, dele más --memory, y si no, comuníquelo, por favor
-session-odd-names = { $count ->
+session-unmatched-names = { $count ->
     [one] 1 nombre no se ajusta
    *[other] { $count } nombres no se ajustan
   } al patrón «{ $pattern }»: { $names }

@@ -280,7 +280,7 @@ session-tables = Tableaux : { $list }
 session-no-drop = aucun enregistrement ne contient d’essai
 session-damaged-journal = { $count } lignes du journal sont tronquées ou endommagées, et sont ignorées
 session-died = son analyse a terminé son processus deux fois, la seconde fois seule ({ $how }) ; s’il est long, donnez-lui plus de --memory, sinon merci de le signaler
-session-odd-names = { $count ->
+session-unmatched-names = { $count ->
     [one] { $count } nom ne correspond
    *[other] { $count } noms ne correspondent
   } pas au modèle « { $pattern } » : { $names }

@@ -1,7 +1,7 @@
 //! The rows that an engine wrote as Parquet, as the results of a session.
 //!
-//! They are read in the order in which they lie there, a few at a time. In memory is only what tells them
-//! apart, and what was noted.
+//! They are read in the order of the files, a few at a time. Only the columns that identify a row, and the notes, are
+//! kept in memory.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,11 +15,11 @@ use crate::hash::Hash;
 use crate::journal::Key;
 use crate::metadata::KnownRecording;
 use crate::record::Record;
-use crate::recordings::Recording;
+use crate::recordings::RecordingFile;
 use crate::results::{Results, Store};
 use crate::work::Done;
 
-/// Columns of texts that say which recording a row is of.
+/// Columns of texts that identify the recording of a row.
 const WHICH: [&str; 5] = [
     "recording",
     "content_sha256",
@@ -28,20 +28,20 @@ const WHICH: [&str; 5] = [
     "metadata",
 ];
 
-/// Columns of texts that hold its result.
+/// Columns of texts with its result.
 const RESULT: [&str; 3] = ["settings_sha256", "failure.message", "record"];
 
 /// The rows of a folder of Parquet files.
 #[derive(Debug)]
 pub struct Batch {
     files: Vec<PathBuf>,
-    /// The place of the recording of each row, in the order of the rows; none if the same row came before.
-    places: Vec<Option<usize>>,
+    /// The index of the recording of each row, in the order of the rows; `None` if the row is a copy of an earlier one.
+    indices: Vec<Option<usize>>,
     recordings: Vec<KnownRecording>,
     done: Vec<Done>,
 }
 
-/// Of which recording a row is.
+/// The recording of a row.
 struct Which {
     recording: KnownRecording,
     settings: Option<String>,
@@ -50,16 +50,16 @@ struct Which {
 }
 
 impl Batch {
-    /// The files that have the rows.
+    /// The files with the rows.
     pub fn files(&self) -> &[PathBuf] {
         &self.files
     }
 
-    /// Reads which recordings a file or folder of Parquet has rows of. A row that is there twice counts once;
+    /// Reads the recordings of the rows of a file or folder of Parquet. A row that occurs twice counts once;
     /// files and folders whose names begin with a dot or an underscore are left out.
     ///
     /// # Errors
-    /// [`Error::Read`] and [`Error::Rows`] if it cannot be read, is no result of bouncelab, or has results
+    /// [`Error::Read`] and [`Error::Rows`] if it cannot be read, is not a result of bouncelab, or has results
     /// of the same recording with different settings or contents.
     pub fn open(path: &Path) -> Result<Self> {
         let mut files = Vec::new();
@@ -79,7 +79,7 @@ impl Batch {
         }
         let mut batch = Self {
             files,
-            places: vec![None; rows.len()],
+            indices: vec![None; rows.len()],
             recordings: Vec::new(),
             done: Vec::new(),
         };
@@ -93,7 +93,7 @@ impl Batch {
                 batch.recordings.last().map(KnownRecording::name) == Some(row.recording.name());
             let key = (row.settings, row.content);
             if !is_known {
-                batch.places[row.row] = Some(batch.recordings.len());
+                batch.indices[row.row] = Some(batch.recordings.len());
                 batch.recordings.push(row.recording);
                 batch.done.push(Done {
                     content: key.1.clone(),
@@ -122,21 +122,21 @@ impl Batch {
         }
     }
 
-    /// Hands on the results of some recordings, in the order of the rows.
+    /// Calls `take` with the results of the wanted recordings, in the order of the rows.
     pub(crate) fn each(
         &self,
         is_wanted: impl Fn(usize) -> bool,
         mut take: impl FnMut(usize, &Key, Record) -> Result<()>,
     ) -> Result<()> {
-        let mut places = self.places.iter();
+        let mut indices = self.indices.iter();
         for file in &self.files {
             read(file, RESULT, |[settings, failure, record]| {
-                let place = places.next().copied().flatten();
-                let Some(place) = place.filter(|&place| is_wanted(place)) else {
+                let index = indices.next().copied().flatten();
+                let Some(index) = index.filter(|&index| is_wanted(index)) else {
                     return Ok(());
                 };
                 let wrong = |problem: String| Error::rows(file, problem);
-                let content = self.done[place].content.clone().map_err(wrong)?;
+                let content = self.done[index].content.clone().map_err(wrong)?;
                 let settings = settings.as_deref().unwrap_or_default().parse();
                 let settings = settings.map_err(|problem: &str| wrong(problem.to_owned()))?;
                 let record = match (record, failure) {
@@ -147,7 +147,7 @@ impl Batch {
                         Record::failed(Plain::of(&failure.unwrap_or_default()).into())
                     }
                 };
-                take(place, &Key { content, settings }, record)
+                take(index, &Key { content, settings }, record)
             })?;
         }
         Ok(())
@@ -168,7 +168,7 @@ impl Which {
         };
         Ok(Self {
             recording: KnownRecording {
-                recording: Recording {
+                recording: RecordingFile {
                     entry: None,
                     path: PathBuf::from(&name),
                     name,
@@ -183,7 +183,7 @@ impl Which {
 }
 
 /// All Parquet files in a folder and the folders in it, in the order of their names. Folders that are links are left
-/// out: they may lead round in a circle.
+/// out: they may form a circle.
 fn find(path: &Path, files: &mut Vec<PathBuf>) -> Result<()> {
     if path.is_file() {
         files.push(path.to_owned());

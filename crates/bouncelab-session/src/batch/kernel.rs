@@ -1,4 +1,4 @@
-//! From a recording to its row.
+//! Analyses a recording as a row.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -18,30 +18,30 @@ use crate::name::{name, without_name};
 use crate::notes::Note;
 use crate::pattern::Pattern;
 use crate::record::Record;
-use crate::recordings::{Recording, Session};
+use crate::recordings::{RecordingFile, Session};
 
-/// How recordings are analysed, besides the settings that hold for all.
+/// How recordings are analysed, in addition to the settings for all.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct KernelOptions {
     /// Whether there is to be an inference.
     pub inference: bool,
-    /// What the names of the files say.
+    /// The pattern for file names.
     pub pattern: Option<String>,
-    /// Whether to believe notes that look like a mistake.
+    /// Whether to accept notes that look like a mistake.
     pub allow_implausible: bool,
 }
 
-/// A recording as it is given.
+/// A recording as an engine gives it.
 #[derive(Debug, Clone)]
 pub struct Given {
-    /// What it is to be called: its path, relative to the folder of all.
+    /// Its name: its path relative to the folder of all recordings.
     pub name: String,
-    /// Where it is.
+    /// Its path.
     pub path: PathBuf,
-    /// Its content, if that was read already.
+    /// Its content, if the engine has read it.
     pub content: Option<Arc<[u8]>>,
-    /// What was noted of it, by field.
+    /// Notes about it, by field.
     pub notes: BTreeMap<String, String>,
 }
 
@@ -53,7 +53,7 @@ pub struct Kernel {
     pattern: Option<Pattern>,
 }
 
-/// What goes before the analysis.
+/// A recording before its analysis.
 struct Begun {
     recording: KnownRecording,
     known: Known,
@@ -61,10 +61,10 @@ struct Begun {
 }
 
 impl Kernel {
-    /// A kernel with settings that hold for all recordings; what is noted of one goes before.
+    /// A kernel with settings for all recordings, which the notes about a recording override.
     ///
     /// # Errors
-    /// [`Error::Pattern`] if the pattern makes no sense, [`Error::Metadata`] if the settings do not.
+    /// [`Error::Pattern`] if the pattern is malformed, [`Error::Metadata`] if the settings are refused.
     ///
     /// ```
     /// use std::collections::BTreeMap;
@@ -134,7 +134,7 @@ impl Kernel {
         begun.row(result)
     }
 
-    /// The row of a recording whose analysis ended otherwise.
+    /// The row of a recording whose analysis failed elsewhere, such as in a process that ended.
     pub fn failed(&self, given: Given, failure: Failure) -> Row {
         match self.begin(given) {
             Ok(begun) => begun.row(Err(failure)),
@@ -142,7 +142,7 @@ impl Kernel {
         }
     }
 
-    /// Reads the notes and the content; or gives the row that says what is wrong with the notes.
+    /// Reads the notes and the content; the error is the row of a recording whose notes are refused.
     fn begin(&self, given: Given) -> std::result::Result<Begun, Box<Row>> {
         let name = name(given.name.as_ref());
         let (recording, known) =
@@ -175,7 +175,7 @@ impl Kernel {
         })
     }
 
-    /// What is known of a recording.
+    /// The metadata of a recording.
     fn known(
         &self,
         name: String,
@@ -187,7 +187,7 @@ impl Kernel {
             let text = Plain::of(text.trim()).into();
             (Plain::of(&field).into(), Note { text, said_by })
         });
-        let recording = Recording {
+        let recording = RecordingFile {
             path,
             entry: None,
             name,
@@ -212,7 +212,7 @@ impl Kernel {
         }
         .read(session)?;
         let recording = read.pop().ok_or_else(|| Error::Metadata {
-            problem: "nothing is known of it".to_owned(),
+            problem: "it has no metadata".to_owned(),
         })?;
         let metadata = &recording.metadata;
         let known = Known {

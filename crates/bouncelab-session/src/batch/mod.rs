@@ -1,4 +1,4 @@
-//! Recordings whose work an engine spreads over a cluster.
+//! Recordings that an engine analyses on a cluster.
 //!
 //! | module | what it does |
 //! |---|---|

@@ -13,14 +13,14 @@ use crate::hash::Hash;
 use crate::journal::Key;
 use crate::metadata::{KnownRecording, Metadata};
 use crate::record::Record;
-use crate::recordings::Recording;
+use crate::recordings::RecordingFile;
 use crate::table::Table;
 
-/// What one recording says, or why it says nothing. It depends on its content, its name, what was noted of it
-/// and the settings, and on nothing else.
+/// The result of one recording, or why there is none. It depends only on the content of the recording, its name, the notes
+/// about it and the settings.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {
-    /// What the recording is called.
+    /// Name of the recording.
     pub recording: String,
     /// Hash of its content, if it can be read.
     pub content: Option<Hash>,
@@ -28,13 +28,13 @@ pub struct Row {
     pub settings: Option<Hash>,
     /// Why there is no record.
     pub failure: Option<Failure>,
-    /// What is known of it.
+    /// Its metadata.
     pub known: Known,
-    /// What it says, if nothing failed.
+    /// Its result, if the analysis did not fail.
     pub record: Option<Record>,
 }
 
-/// Why a recording says nothing.
+/// Why a recording has no result.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Failure {
     /// The kind of reason.
@@ -43,11 +43,11 @@ pub struct Failure {
     pub message: String,
 }
 
-/// Kinds of reasons why a recording says nothing.
+/// Kinds of reasons why a recording has no result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum FailureCode {
-    /// What was noted of it makes no sense.
+    /// Its notes are refused.
     Metadata,
     /// It cannot be opened.
     Unreadable,
@@ -55,7 +55,7 @@ pub enum FailureCode {
     NotAnalysed,
     /// It ended the process that analysed it.
     ProcessDied,
-    /// It took longer than it may.
+    /// It exceeded the limit of time.
     OutOfTime,
 }
 
@@ -81,14 +81,14 @@ impl FailureCode {
     }
 }
 
-/// What is known of a recording, from which its [`Metadata`] follow.
+/// The stated metadata of a recording, from which its [`Metadata`] follow.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Known {
-    /// What was stated, of all recordings and of this one.
+    /// The stated settings, for all recordings and for this one.
     pub settings: Settings,
-    /// Whether there is to be an inference.
+    /// Whether an inference is requested.
     pub inference: bool,
-    /// What its drops are compared by.
+    /// The factors by which its drops are compared.
     pub factors: BTreeMap<String, String>,
     /// The drop height as noted, m.
     pub height_m: Option<f64>,
@@ -111,7 +111,7 @@ impl Known {
     }
 }
 
-/// Metadata by what they follow from, each made once.
+/// Metadata by the JSON from which they follow, each computed once.
 #[derive(Debug, Default)]
 pub(super) struct KnownMetadata(HashMap<String, Arc<Metadata>>);
 
@@ -129,8 +129,8 @@ impl KnownMetadata {
     }
 }
 
-/// The tables of drops and impacts of single recordings: the columns of the tables of a session, but for the
-/// name of the recording and what was noted. What takes other recordings is empty.
+/// The tables of drops and impacts of single recordings: the columns of the tables of a session, without the
+/// name of the recording and the notes. Columns that depend on other recordings are empty.
 #[derive(Debug, Default)]
 pub struct RowTables(KnownMetadata);
 
@@ -143,7 +143,7 @@ impl RowTables {
     /// The tables of a row.
     ///
     /// # Errors
-    /// The reason, if its settings make no sense; those of a [`Kernel`](super::Kernel) do.
+    /// The reason, if its settings are refused, which does not happen to rows of a [`Kernel`](super::Kernel).
     pub fn of(&mut self, row: &Row) -> Result<[Table; 2], String> {
         let (Some(record), Some(content), Some(settings)) =
             (&row.record, row.content, row.settings)
@@ -152,7 +152,7 @@ impl RowTables {
         };
         let known = serde_json::to_string(&row.known).map_err(|fault| fault.to_string())?;
         let recording = KnownRecording {
-            recording: Recording {
+            recording: RecordingFile {
                 entry: None,
                 path: PathBuf::from(&row.recording),
                 name: row.recording.clone(),

@@ -1,7 +1,7 @@
 //! Columns of texts in Parquet files.
 //!
-//! The library trusts numbers in a file, and takes time and memory as they say: what can be checked of them is looked at
-//! first.
+//! The library trusts numbers in a file, and takes time and memory accordingly. So they are checked before, as far as
+//! possible.
 
 use std::fs::File;
 use std::io::{self, BufReader, Read};
@@ -18,7 +18,7 @@ use parquet::file::serialized_reader::SerializedFileReader;
 
 use crate::error::{Error, Result};
 
-/// So many rows of a file are in memory at once.
+/// Number of rows of a file that are in memory at once.
 const ROWS: usize = 64;
 
 /// Reads columns of texts, row by row.
@@ -29,7 +29,7 @@ pub(super) fn read<const COLUMNS: usize>(
 ) -> Result<()> {
     let wrong = |fault: ParquetError| Error::rows(path, fault);
     let file = File::open(path).map_err(Error::read(path))?;
-    let reader = contain(|| SerializedFileReader::new(Table(file))).map_err(wrong)?;
+    let reader = contain(|| SerializedFileReader::new(EndingFile(file))).map_err(wrong)?;
     for number in 0..reader.num_row_groups() {
         let group = contain(|| reader.get_row_group(number)).map_err(wrong)?;
         let mut columns = Vec::new();
@@ -57,20 +57,20 @@ pub(super) fn read<const COLUMNS: usize>(
     Ok(())
 }
 
-/// A file that ends with an error where more is read than there is: the library takes such an end for nothing to skip,
-/// and would skip a billion numbers that a damaged header announces one by one.
-struct Table(File);
+/// A file that returns an error where more is read than it has. Otherwise the library would skip a billion numbers that
+/// a damaged header announces, one by one, beyond the end of the file.
+struct EndingFile(File);
 
-/// A part of it.
+/// A reader of a part of it.
 struct Part(BufReader<File>);
 
-impl Length for Table {
+impl Length for EndingFile {
     fn len(&self) -> u64 {
         Length::len(&self.0)
     }
 }
 
-impl ChunkReader for Table {
+impl ChunkReader for EndingFile {
     type T = Part;
 
     fn get_read(&self, start: u64) -> Parquet<Part> {
@@ -91,15 +91,15 @@ impl Read for Part {
     }
 }
 
-/// Runs code of the library, which panics at some damaged files where it should return an error. Nothing that the work
-/// touched may be used after that.
+/// Runs code of the library, which panics at some damaged files where it should return an error. After a panic nothing
+/// that the closure has touched may be used.
 fn contain<T>(work: impl FnOnce() -> Parquet<T>) -> Parquet<T> {
     let damaged = || ParquetError::General("the file is damaged".to_owned());
     bouncelab_audio::contain(work).unwrap_or_else(|| Err(damaged()))
 }
 
-/// The pages of a column of texts, without those for which the library would take as much memory as a damaged number
-/// says.
+/// The pages of a column of texts. Those for which the library would take as much memory as a damaged number states are
+/// refused.
 struct Pages(Box<dyn PageReader>);
 
 impl Iterator for Pages {
@@ -112,14 +112,14 @@ impl Iterator for Pages {
 
 impl PageReader for Pages {
     fn get_next_page(&mut self) -> Parquet<Option<Page>> {
-        /// Before each text in a dictionary stands its length.
+        /// Length in bytes of the number in front of each text in a dictionary.
         const LENGTH: usize = size_of::<u32>();
         let page = self.0.get_next_page()?;
         match &page {
             Some(Page::DictionaryPage {
                 buf, num_values, ..
             }) if *num_values as usize > buf.len() / LENGTH => {
-                let problem = "a dictionary has fewer texts than it says";
+                let problem = "a dictionary has fewer texts than it states";
                 Err(ParquetError::EOF(problem.to_owned()))
             }
             Some(Page::DataPage { encoding, .. } | Page::DataPageV2 { encoding, .. })
@@ -142,7 +142,7 @@ impl PageReader for Pages {
     }
 }
 
-/// How engines write texts unless somebody asks them for something else.
+/// The encodings that engines use for texts by default.
 const ENCODINGS: [Encoding; 3] = [
     Encoding::PLAIN,
     Encoding::PLAIN_DICTIONARY,
@@ -152,7 +152,7 @@ const ENCODINGS: [Encoding; 3] = [
 /// A column of texts of a row group.
 struct Texts {
     reader: ColumnReaderImpl<ByteArrayType>,
-    /// The definition level of a text that is there.
+    /// The definition level of a text that is not null.
     level: i16,
 }
 
@@ -160,14 +160,14 @@ impl Texts {
     fn new(group: &dyn RowGroupReader, name: &str) -> Parquet<Option<Self>> {
         let schema = group.metadata().schema_descr();
         let mut columns = schema.columns().iter();
-        let Some(place) = columns.position(|column| column.path().string() == name) else {
+        let Some(index) = columns.position(|column| column.path().string() == name) else {
             return Ok(None);
         };
-        let column = schema.column(place);
+        let column = schema.column(index);
         if column.physical_type() != Type::BYTE_ARRAY {
             return Ok(None);
         }
-        let pages = Pages(group.get_column_page_reader(place)?);
+        let pages = Pages(group.get_column_page_reader(index)?);
         Ok(Some(Self {
             level: column.max_def_level(),
             reader: ColumnReaderImpl::new(column, Box::new(pages)),
@@ -182,7 +182,7 @@ impl Texts {
             .read_records(count, Some(&mut levels), None, &mut values)?;
         if read.0 != count {
             return Err(ParquetError::EOF(
-                "it has fewer rows than it says".to_owned(),
+                "it has fewer rows than it states".to_owned(),
             ));
         }
         if self.level == 0 {

@@ -1,8 +1,8 @@
-//! Where the frames of a stream lie in its file, and where some are missing.
+//! Surveys a file for the places where frames are missing.
 //!
-//! The demuxers in use step over what is damaged without a word, and streams of MP3 and ADTS have no
-//! clock that would show it. So the file is looked through before it is read: what is no frame is kept
-//! from the demuxer, and how much sound lay there is counted as far as the file says.
+//! The demuxers in use skip damaged bytes without an error, and streams of MP3 and ADTS have no clock that would show
+//! it. So the file is surveyed before it is read: the demuxer gets only whole frames, and how much sound is missing
+//! between them is counted as far as the file states it.
 
 mod mpeg;
 mod nested;
@@ -13,28 +13,28 @@ use std::ops::Range;
 
 use crate::formats::SoundFormat;
 
-/// More damage than this is no recording.
-const MOST_BREAKS: usize = 1_000;
+/// Maximum number of places where frames are missing: a file with more is refused.
+const MAX_BREAKS: usize = 1_000;
 
-/// What lies where in a file.
+/// The result of a survey.
 #[derive(Debug, Default, PartialEq)]
 pub(super) struct Framing {
-    /// The bytes that are worth reading; `None` for all of them.
+    /// The ranges of bytes to read; `None` for the whole file.
     pub(super) sound: Option<Vec<Range<u64>>>,
-    /// Where frames are missing, in their order.
+    /// The places where frames are missing, in order.
     pub(super) breaks: Vec<Break>,
     /// Whether the file ends within a frame.
     pub(super) is_cut: bool,
-    /// Whether a checksum says that frames are not those that were encoded, though none is missing.
+    /// Whether a checksum shows that the frames differ from the encoded ones although none is missing.
     pub(super) is_altered: bool,
 }
 
 /// A place where frames are missing.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Break {
-    /// The track, where there are several.
+    /// The track, in a format with several.
     pub(super) track: Option<u32>,
-    /// How many packets of the track lie before it.
+    /// Number of packets of the track before it.
     pub(super) packet: u64,
     pub(super) missing: Missing,
 }
@@ -42,14 +42,14 @@ pub(super) struct Break {
 /// How much is missing.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Missing {
-    /// So many packets.
+    /// A number of packets.
     Packets { count: u64, certain: bool },
-    /// As much as the clock, in its ticks, went on between the packet before and the last one of the
-    /// next page, apart from the packets of that page.
+    /// The clock advanced by `passed` ticks between the last packet before the place and the last packet of the next
+    /// page. What the `page_packets` packets that end in that page do not fill is missing.
     Ticks { passed: u64, page_packets: u64 },
 }
 
-/// Looks through a file of which the container begins here; `None` if it is damaged all over.
+/// Surveys a file whose container begins at the present position; `None` if it is damaged in too many places.
 pub(super) fn survey<S: Read + Seek>(
     container: SoundFormat,
     source: &mut S,
@@ -69,10 +69,10 @@ pub(super) fn survey<S: Read + Seek>(
         _ => Framing::default(),
     };
     source.seek(SeekFrom::Start(start))?;
-    Ok((framing.breaks.len() < MOST_BREAKS).then_some(framing))
+    Ok((framing.breaks.len() < MAX_BREAKS).then_some(framing))
 }
 
-/// A part of a file at hand.
+/// A part of a file in memory.
 struct Window<'a, S> {
     source: &'a mut S,
     start: u64,
@@ -82,9 +82,9 @@ struct Window<'a, S> {
 }
 
 impl<'a, S: Read + Seek> Window<'a, S> {
-    /// As much as is read at once: more than a page of Ogg.
+    /// Number of bytes that are read at once: more than a page of Ogg.
     const LEN: u64 = 1 << 17;
-    /// As much in front of what is asked for, which a search returns to.
+    /// Number of those bytes that lie in front of the requested ones: a search returns to them.
     const BEFORE: u64 = Self::LEN / 4;
 
     fn new(source: &'a mut S) -> io::Result<Self> {
@@ -97,24 +97,24 @@ impl<'a, S: Read + Seek> Window<'a, S> {
         })
     }
 
-    /// The bytes from a place on: `len` of them, fewer only at the end of the file.
-    fn at(&mut self, place: u64, len: u64) -> io::Result<&[u8]> {
-        let place = place.min(self.len);
-        let len = len.min(self.len - place);
-        if place < self.start || place + len > self.start + self.bytes.len() as u64 {
-            self.start = place.saturating_sub(Self::BEFORE);
+    /// `len` bytes from a position on; fewer only at the end of the file.
+    fn at(&mut self, position: u64, len: u64) -> io::Result<&[u8]> {
+        let position = position.min(self.len);
+        let len = len.min(self.len - position);
+        if position < self.start || position + len > self.start + self.bytes.len() as u64 {
+            self.start = position.saturating_sub(Self::BEFORE);
             self.source.seek(SeekFrom::Start(self.start))?;
             self.bytes.clear();
             let mut part = self.source.by_ref().take(Self::LEN);
             part.read_to_end(&mut self.bytes)?;
         }
-        let from = self.bytes.len().min((place - self.start) as usize);
+        let from = self.bytes.len().min((position - self.start) as usize);
         let to = self.bytes.len().min(from + len as usize);
         Ok(&self.bytes[from..to])
     }
 }
 
-/// Adds a range to those in order, joined with the last one if it goes on from there.
+/// Appends a range to ordered ranges; one that continues the last range is joined with it.
 fn keep(kept: &mut Vec<Range<u64>>, range: Range<u64>) {
     match kept.last_mut() {
         Some(last) if last.end == range.start => last.end = range.end,

@@ -1,5 +1,8 @@
-//! Frames of MPEG layer 3 and of AAC in ADTS: each begins with a header that says how long it is, and
-//! the next one follows.
+//! Frames of MPEG layer 3 and of AAC in ADTS: each begins with a header that states its length, and the next frame
+//! follows it.
+//!
+//! Four equal bits of a header may also occur within a frame. So a frame counts as one only as part of a chain: where its
+//! header states that the next frame begins, there is another header of the same stream.
 
 use std::io::{self, Read, Seek};
 use std::ops::Range;
@@ -7,32 +10,32 @@ use std::ops::Range;
 use symphonia::core::checksum::Crc16AnsiLe;
 use symphonia::core::io::Monitor;
 
-use super::{Break, Framing, MOST_BREAKS, Missing, Window, keep};
+use super::{Break, Framing, MAX_BREAKS, Missing, Window, keep};
 
-/// What the header of a frame says.
+/// The content of a header.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Frame {
     /// Length in bytes, header included.
     len: u64,
-    /// What is equal in all frames of a stream: codec, rate, channels.
+    /// The fields that are equal in all frames of a stream: codec, rate, channels.
     kind: u32,
-    /// The number of its bit rate, if the length follows from that.
+    /// Code of the bit rate, where the length follows from it.
     bit_rate: Option<u32>,
 }
 
-/// Reads a header.
+/// Parses a header; `None` if there is none.
 type Parse = fn(&[u8]) -> Option<Frame>;
 
-/// Enough for the header of a frame.
+/// Number of bytes that contain the header of a frame.
 const HEADER: u64 = 8;
 
-/// Enough for the tag of an encoder behind header and side information.
+/// Number of bytes of the first frame that contain the tag of an encoder, behind header and side information.
 const TAG: u64 = 200;
 
-/// So many headers where each says the next is are no coincidence.
+/// Number of headers, each where the one before announces it, that do not occur by chance.
 const CHAIN: usize = 3;
 
-/// ISO 11172-3 section 2.4.2.3 and, for half rates, ISO 13818-3.
+/// Parses a header of MPEG layer 3 (ISO 11172-3 section 2.4.2.3; for half rates ISO 13818-3).
 pub(super) fn mp3_frame(bytes: &[u8]) -> Option<Frame> {
     const KBIT_S: [u64; 16] = [
         0, 32, 40, 48, 56, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 0,
@@ -40,6 +43,7 @@ pub(super) fn mp3_frame(bytes: &[u8]) -> Option<Frame> {
     const KBIT_S_HALF: [u64; 16] = [
         0, 8, 16, 24, 32, 40, 48, 56, 64, 80, 96, 112, 128, 144, 160, 0,
     ];
+    // Sync (11 bits), version (2), layer (2), protection (1), bit rate (4), rate (2), padding (1), private (1), mode (2).
     let word = u32::from_be_bytes(*bytes.first_chunk()?);
     let (version, layer) = (word >> 19 & 3, word >> 17 & 3);
     let (bit_rate, rate) = (word >> 12 & 15, word >> 10 & 3);
@@ -47,6 +51,7 @@ pub(super) fn mp3_frame(bytes: &[u8]) -> Option<Frame> {
         return None;
     }
     let rate_hz = [44_100, 48_000, 32_000][rate as usize];
+    // A frame has 1152 samples, in the versions of half and quarter rates 576: bytes = samples / 8 * bit rate / rate.
     let (rate_hz, kbit_s, slots) = match version {
         3 => (rate_hz, KBIT_S, 144_000),
         2 => (rate_hz / 2, KBIT_S_HALF, 72_000),
@@ -61,8 +66,10 @@ pub(super) fn mp3_frame(bytes: &[u8]) -> Option<Frame> {
     })
 }
 
-/// ISO 14496-3 table 1.A.5.
+/// Parses a header of ADTS (ISO 14496-3 table 1.A.5).
 pub(super) fn adts_frame(bytes: &[u8]) -> Option<Frame> {
+    // Bits from the highest: sync (12), version (1), layer (2), protection (1), profile (2), rate (4), private (1),
+    // channels (3), four flags, length (13), fullness (11), blocks (2), and the first byte of the sound.
     let word = u64::from_be_bytes(*bytes.first_chunk()?);
     let len = word >> 21 & 0x1fff;
     let blocks = word >> 8 & 3;
@@ -77,7 +84,7 @@ pub(super) fn adts_frame(bytes: &[u8]) -> Option<Frame> {
     })
 }
 
-/// The frames that follow each other, and where they do not.
+/// Follows the chain of frames, and notes where it breaks.
 pub(super) fn survey<S: Read + Seek>(
     window: &mut Window<S>,
     start: u64,
@@ -91,50 +98,51 @@ pub(super) fn survey<S: Read + Seek>(
     let Some(first) = walk.find(start)? else {
         return Ok(Framing::default());
     };
-    let mut found = Found {
+    let mut frames = Frames {
         tag: walk.tag(first)?,
-        ..Found::default()
+        ..Frames::default()
     };
     let mut at = first;
-    while at < walk.window.len && found.holes.len() < MOST_BREAKS {
+    while at < walk.window.len && frames.holes.len() < MAX_BREAKS {
         match walk.frame(at)? {
             Some(frame) if at + frame.len > walk.window.len => {
-                found.is_cut = true;
+                frames.is_cut = true;
                 break;
             }
             Some(frame) => {
-                found.push(at, frame);
+                frames.push(at, frame);
                 at += frame.len;
             }
-            // The header of the last frame may be what is damaged.
-            None => match walk.find(found.last.start + 1)? {
+            // The damage may be in the last frame, whose header then states a wrong length: search from there.
+            None => match walk.find(frames.last.start + 1)? {
                 Some(resumed) => {
-                    found.lose_last_up_to(resumed);
+                    frames.lose_last_up_to(resumed);
                     at = resumed;
                 }
                 None => break,
             },
         }
     }
-    let is_altered = walk.is_altered(&found, first)?;
-    Ok(found.framing(start..first, walk.window.len, is_altered))
+    let is_altered = walk.is_altered(&frames, first)?;
+    Ok(frames.framing(start..first, walk.window.len, is_altered))
 }
 
-/// Steps from frame to frame.
+/// Goes from frame to frame.
 struct Walk<'a, 'b, S> {
     window: &'a mut Window<'b, S>,
     parse: Parse,
+    /// That of the stream; `None` before its first frame is known.
     kind: Option<u32>,
 }
 
 impl<S: Read + Seek> Walk<'_, '_, S> {
-    /// The frame that begins here, if it is one of this stream.
+    /// The frame that begins at a position, if it is one of this stream.
     fn frame(&mut self, at: u64) -> io::Result<Option<Frame>> {
         let frame = (self.parse)(self.window.at(at, HEADER)?);
         Ok(frame.filter(|frame| self.kind.is_none_or(|kind| kind == frame.kind)))
     }
 
-    /// Where, from a place on, frames begin that follow each other.
+    /// The first position from here on where a chain of frames begins.
     fn find(&mut self, from: u64) -> io::Result<Option<u64>> {
         for at in from..self.window.len {
             if self.window.at(at, 1)? == [0xff] && self.is_chain(at)? {
@@ -144,11 +152,12 @@ impl<S: Read + Seek> Walk<'_, '_, S> {
         Ok(None)
     }
 
+    /// Whether `CHAIN` frames follow each other from this position on. The kind of the stream is then theirs.
     fn is_chain(&mut self, at: u64) -> io::Result<bool> {
         let known = self.kind;
         let mut next = at;
         for _ in 0..CHAIN {
-            // A stream may end before it is long enough to be sure.
+            // The last frames of a stream are a shorter chain.
             if next > at && next == self.window.len {
                 break;
             }
@@ -162,16 +171,16 @@ impl<S: Read + Seek> Walk<'_, '_, S> {
         Ok(true)
     }
 
-    /// Whether the first frame is none but a tag, and how many frames follow according to it.
+    /// The tag of an encoder, if the first frame holds one in place of sound.
     fn tag(&mut self, first: u64) -> io::Result<Option<Tag>> {
         let bytes = self.window.at(first, TAG)?;
-        // Behind header and side information, whose length depends on version and channels.
-        let tag = [13, 21, 36].into_iter().find_map(|place| {
-            let tag = bytes.get(place..)?;
+        // It lies behind header and side information, whose length depends on version and channels.
+        let tag = [13, 21, 36].into_iter().find_map(|offset| {
+            let tag = bytes.get(offset..)?;
             (tag.starts_with(b"Xing") || tag.starts_with(b"Info")).then_some(tag)
         });
-        let number = |place: usize| {
-            let bytes = *tag?.get(place..)?.first_chunk()?;
+        let number = |offset: usize| {
+            let bytes = *tag?.get(offset..)?.first_chunk()?;
             Some(u64::from(u32::from_be_bytes(bytes)))
         };
         let flags = number(4).unwrap_or(0);
@@ -182,23 +191,24 @@ impl<S: Read + Seek> Walk<'_, '_, S> {
         }))
     }
 
-    /// Whether no frame is missing, and the tag has the checksum of others than these.
-    fn is_altered(&mut self, found: &Found, first: u64) -> io::Result<bool> {
-        const AT_ONCE: u64 = 1 << 16;
-        let Some(music) = found.tag.as_ref().and_then(|tag| tag.music.as_ref()) else {
+    /// Whether no frame is missing although the checksum of the tag is not that of the frames.
+    fn is_altered(&mut self, frames: &Frames, first: u64) -> io::Result<bool> {
+        /// Number of bytes that are added to the checksum at once.
+        const PIECE: u64 = 1 << 16;
+        let Some(music) = frames.tag.as_ref().and_then(|tag| tag.music.as_ref()) else {
             return Ok(false);
         };
-        let Some(tag) = self.frame(first)?.filter(|_| found.holes.is_empty()) else {
+        let Some(tag) = self.frame(first)?.filter(|_| frames.holes.is_empty()) else {
             return Ok(false);
         };
-        // Of a file that was shortened the tag says nothing.
-        if found.last.end - first != music.len {
+        // The tag of a file that was shortened later is that of the whole file.
+        if frames.last.end - first != music.len {
             return Ok(false);
         }
         let mut checksum = Crc16AnsiLe::new(0);
         let mut at = first + tag.len;
-        while at < found.last.end {
-            let bytes = self.window.at(at, AT_ONCE.min(found.last.end - at))?;
+        while at < frames.last.end {
+            let bytes = self.window.at(at, PIECE.min(frames.last.end - at))?;
             if bytes.is_empty() {
                 break;
             }
@@ -209,28 +219,31 @@ impl<S: Read + Seek> Walk<'_, '_, S> {
     }
 }
 
-/// What the encoder says of the stream in the first frame.
+/// What the encoder states of the stream in its first frame.
 struct Tag {
+    /// Number of frames behind the tag.
     frames: Option<u64>,
     music: Option<Music>,
 }
 
-/// What LAME, and those that write its tag, say of the frames: how long all are, and the checksum of those
-/// behind the tag.
+/// Length and checksum of the frames, as LAME and encoders with its tag state them.
 struct Music {
+    /// Length of all frames in bytes, that of the tag included.
     len: u64,
+    /// CRC-16 of the frames behind the tag.
     checksum: u16,
 }
 
 impl Music {
-    /// Behind the fields of which the flags say that they are there, and 28 bytes that are of no use here.
+    /// Parses the fields behind the optional ones, which the flags announce, and behind 28 bytes that are not needed here.
     fn of(tag: &[u8], flags: u64) -> Option<Self> {
+        /// Flag and length in bytes of each optional field: frames, bytes, table of contents, quality.
         const FIELDS: [(u64, usize); 4] = [(1, 4), (2, 4), (4, 100), (8, 4)];
         let fields = FIELDS.iter().filter(|(flag, _)| flags & flag != 0);
-        let place = 8 + fields.map(|(_, len)| len).sum::<usize>() + 28;
-        let len = u32::from_be_bytes(*tag.get(place..)?.first_chunk()?);
-        let checksum = u16::from_be_bytes(*tag.get(place + 4..)?.first_chunk()?);
-        // Zero where an encoder does not count.
+        let offset = 8 + fields.map(|(_, len)| len).sum::<usize>() + 28;
+        let len = u32::from_be_bytes(*tag.get(offset..)?.first_chunk()?);
+        let checksum = u16::from_be_bytes(*tag.get(offset + 4..)?.first_chunk()?);
+        // Encoders that do not count write zero.
         (len > 0 && checksum > 0).then_some(Self {
             len: len.into(),
             checksum,
@@ -238,34 +251,40 @@ impl Music {
     }
 }
 
-/// The frames that were found.
+/// The frames of the file.
 #[derive(Default)]
-struct Found {
+struct Frames {
     tag: Option<Tag>,
-    /// The bytes of frames before the last one, how many frames these are and how long.
+    /// The ranges of the frames before the last one.
     kept: Vec<Range<u64>>,
+    /// Number of those frames.
     count: u64,
+    /// Length of those frames in bytes.
     bytes: u64,
-    /// The last frame, which the next one may yet show to be none.
+    /// The last frame. Where no frame follows it, it may be damaged and is not kept.
     last: Range<u64>,
+    /// Code of the bit rate of the last frame.
     bit_rate: Option<u32>,
+    /// Whether the bit rate varies.
     is_variable: bool,
     holes: Vec<Hole>,
+    /// Whether the file ends within a frame.
     is_cut: bool,
 }
 
-/// A stretch without a frame.
+/// A range of bytes without frames.
 struct Hole {
-    /// How many frames lie before it.
+    /// Number of frames before it.
     frame: u64,
+    /// Its length.
     bytes: u64,
 }
 
-impl Found {
+impl Frames {
     fn push(&mut self, at: u64, frame: Frame) {
         self.keep_last();
         self.last = at..at + frame.len;
-        // The tag need not have the rate of the sound.
+        // The bit rate of a tag may differ from that of the sound.
         if self.count > 0 || self.tag.is_none() {
             self.is_variable |= frame.bit_rate.is_none()
                 || self
@@ -291,13 +310,13 @@ impl Found {
         self.last = resumed..resumed;
     }
 
-    /// Puts it together. What lies before the first frame and after the last one, tags most often, is
-    /// for the demuxer to judge.
+    /// The result of the survey. The demuxer reads the bytes before the first frame and after the last one, too: they
+    /// are mostly tags.
     fn framing(mut self, lead: Range<u64>, end: u64, is_altered: bool) -> Framing {
         self.keep_last();
         let tail = self.last.end..end;
         let mut breaks: Vec<Break> = self.holes.iter().map(|hole| self.missing(hole)).collect();
-        // What a tag announced and is not there was in the only hole.
+        // If there is one hole, all announced frames that are not there were in it.
         if let ([only], Some(announced), false) = (&mut breaks[..], self.announced(), self.is_cut)
             && announced > self.count
         {
@@ -318,17 +337,18 @@ impl Found {
         }
     }
 
-    /// How many frames there are according to the tag, itself included.
+    /// Number of frames according to the tag, itself included.
     fn announced(&self) -> Option<u64> {
         Some(self.tag.as_ref()?.frames? + 1)
     }
 
-    /// At a constant rate a hole of whole frames is one in which nothing but their headers is damaged.
+    /// What is missing in a hole. At a constant bit rate its length gives the number of frames: certainly so if that is
+    /// a whole number of frames, since then the bytes are all there and only headers are damaged.
     fn missing(&self, hole: &Hole) -> Break {
         let frame_bytes = self.bytes as f64 / self.count.max(1) as f64;
         let frames = hole.bytes as f64 / frame_bytes;
         let count = frames.round().max(1.0);
-        // The length of a frame is rounded to bytes.
+        // Lengths of frames are whole bytes, so that the sum may differ by one.
         let is_whole = (hole.bytes as f64 - count * frame_bytes).abs() < 1.5;
         Break {
             track: None,

@@ -1,6 +1,7 @@
-//! Boxes of MP4 and elements of Matroska: each says what it is and how long, and whole files are made of
-//! them. Those of a recorder that was stopped announce no length in all, so that only this shows the end
-//! to be missing.
+//! Boxes of MP4 and elements of Matroska, of which a file consists: each states its kind and length.
+//!
+//! The file of a recorder that was stopped states no total length. Only a last box or element that ends beyond the file
+//! shows that the end is missing.
 
 use std::io::{self, Read, Seek};
 
@@ -9,13 +10,16 @@ use super::{Framing, Window, keep};
 /// The beginning of a box or element.
 struct Header {
     kind: u64,
-    /// Where its content begins and ends; `None` for "somewhere".
+    /// Position at which its content begins.
     content: u64,
+    /// Position at which its content ends; `None` if the file does not state it.
     end: Option<u64>,
 }
 
-/// A recorder that streams writes parts of a film (ISO 14496-12 section 8.8), each of which goes on where
-/// the one before ended: one that cannot be read would move all that follow.
+/// Surveys a file of MP4 that is written in parts (ISO 14496-12 section 8.8), as recorders that stream do.
+///
+/// The times of a part continue those of the part before it. So nothing behind an unreadable part is used: its times
+/// would be too early.
 pub(super) fn mp4<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::Result<Framing> {
     const MOVIE: [u8; 4] = *b"moov";
     const PART: [u8; 4] = *b"moof";
@@ -44,12 +48,12 @@ pub(super) fn mp4<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::Res
     Ok(Framing::default())
 }
 
-/// The number of the name of a box.
+/// The name of a box as a number.
 fn kind(name: [u8; 4]) -> u64 {
     u64::from(u32::from_be_bytes(name))
 }
 
-/// Whether a film says that parts follow: without this nobody would miss the first one.
+/// Whether the header of a film announces parts: only this shows that the first part is missing.
 fn announces_parts<S: Read + Seek>(window: &mut Window<S>, movie: &Header) -> io::Result<bool> {
     let end = movie.end.unwrap_or(window.len).min(window.len);
     let mut at = movie.content;
@@ -65,10 +69,12 @@ fn announces_parts<S: Read + Seek>(window: &mut Window<S>, movie: &Header) -> io
     Ok(false)
 }
 
+/// The beginning of a box (ISO 14496-12 section 4.2), of which the file has these bytes at position `at`.
 fn atom(bytes: &[u8], at: u64) -> Option<Header> {
     let short = u64::from(u32::from_be_bytes(*bytes.first_chunk()?));
     let kind = u64::from(u32::from_be_bytes(*bytes.get(4..)?.first_chunk()?));
     let (len, header) = match short {
+        // The last box may reach to the end of the file; a length of 64 bits stands behind the name.
         0 => (None, 8),
         1 => (
             Some(u64::from_be_bytes(*bytes.get(8..)?.first_chunk()?)),
@@ -84,26 +90,28 @@ fn atom(bytes: &[u8], at: u64) -> Option<Header> {
     })
 }
 
-/// Matroska (RFC 9559): segments of clusters of blocks, and what describes them.
+/// Surveys a file of Matroska (RFC 9559): segments of clusters of blocks, and elements that describe them.
 pub(super) fn matroska<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::Result<Framing> {
+    /// Elements whose content is surveyed: segment and cluster.
     const OPENED: [u64; 2] = [0x1853_8067, 0x1f43_b675];
+    /// Elements that are stepped over as a whole, by their numbers.
     const WHOLE: [u64; 16] = [
-        0x1a45_dfa3,
-        0x114d_9b74,
-        0x1549_a966,
-        0x1654_ae6b,
-        0x1c53_bb6b,
-        0x1941_a469,
-        0x1043_a770,
-        0x1254_c367,
-        0xec,
-        0xbf,
-        0xe7,
-        0xa3,
-        0xa0,
-        0xab,
-        0xa7,
-        0x5854,
+        0x1a45_dfa3, // EBML
+        0x114d_9b74, // SeekHead
+        0x1549_a966, // Info
+        0x1654_ae6b, // Tracks
+        0x1c53_bb6b, // Cues
+        0x1941_a469, // Attachments
+        0x1043_a770, // Chapters
+        0x1254_c367, // Tags
+        0xec,        // Void
+        0xbf,        // CRC-32
+        0xe7,        // Timestamp
+        0xa3,        // SimpleBlock
+        0xa0,        // BlockGroup
+        0xab,        // PrevSize
+        0xa7,        // Position
+        0x5854,      // SilentTracks
     ];
     let mut at = start;
     while at < window.len {
@@ -121,30 +129,32 @@ pub(super) fn matroska<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io
     Ok(Framing::default())
 }
 
+/// The beginning of an element (RFC 8794), of which the file has these bytes at position `at`.
 fn element(bytes: &[u8], at: u64) -> Option<Header> {
     let (kind_len, kind) = number(bytes, 4)?;
     let (size_len, size) = number(bytes.get(kind_len..)?, 8)?;
+    // The bit that marks the number of bytes is no part of a size.
     let mark = 1 << (7 * size_len);
     let content = at + (kind_len + size_len) as u64;
     Some(Header {
         kind,
         content,
-        // All ones: not known when it was written.
+        // All ones stand for a size that was not known when the element was written.
         end: (size != 2 * mark - 1).then(|| content.saturating_add(size - mark)),
     })
 }
 
-/// A number that says how many bytes it has by its leading zeros, which are part of it.
-fn number(bytes: &[u8], longest: usize) -> Option<(usize, u64)> {
+/// A number of variable length (RFC 8794 section 4): its leading zeros give the number of its bytes, here with them.
+fn number(bytes: &[u8], max_len: usize) -> Option<(usize, u64)> {
     let len = bytes.first()?.leading_zeros() as usize + 1;
-    let bytes = bytes.get(..len).filter(|_| len <= longest)?;
+    let bytes = bytes.get(..len).filter(|_| len <= max_len)?;
     let value = bytes
         .iter()
         .fold(0, |value, &byte| value << 8 | u64::from(byte));
     Some((len, value))
 }
 
-/// A file that cannot be read from here on.
+/// The result for a file that can be read only up to a position.
 fn cut(start: u64, at: u64) -> Framing {
     let mut sound = Vec::new();
     keep(&mut sound, start..at);

@@ -1,4 +1,4 @@
-//! Pages of Ogg (RFC 3533): each has a number, a checksum, and the time at its end.
+//! Pages of Ogg (RFC 3533): each has a number, a checksum, and the time of the last packet that ends in it.
 
 use std::collections::BTreeMap;
 use std::io::{self, Read, Seek};
@@ -6,40 +6,43 @@ use std::io::{self, Read, Seek};
 use symphonia::core::checksum::Crc32;
 use symphonia::core::io::Monitor;
 
-use super::{Break, Framing, MOST_BREAKS, Missing, Window, keep};
+use super::{Break, Framing, MAX_BREAKS, Missing, Window, keep};
 
-/// The longest page.
+/// Maximum length of a page in bytes: header, table of segments, segments.
 const PAGE: u64 = 27 + 255 + 255 * 255;
 
-/// More tracks than this are no recording.
-const MOST_TRACKS: usize = 1_000;
+/// Maximum number of tracks: a file with more is damaged.
+const MAX_TRACKS: usize = 1_000;
 
-/// How many bytes of pages whose checksum is wrong are read, for each byte of the file and besides: damaged pages
-/// are read once, but each of a row of headers may claim all that follow.
-const WRONG: (u64, u64) = (4, 1 << 20);
+/// Maximum number of bytes in pages whose checksum is wrong, for each byte of the file and in addition. Damaged pages
+/// are read once, but each of many false headers in a row may claim a whole page behind it.
+const MAX_WRONG: (u64, u64) = (4, 1 << 20);
 
-/// What the header of a page says.
+/// The content of the header of a page.
 struct Page {
     len: u64,
     track: u32,
     number: u32,
-    /// The time at its end; `None` if no packet ends in it.
+    /// Time of the last packet that ends in it, in ticks; `None` if none does.
     clock: Option<u64>,
+    /// Whether it begins within a packet.
     is_continued: bool,
-    /// How many packets end in it, and whether another one begins.
+    /// Number of packets that end in it.
     packets: u64,
+    /// Whether it ends within a packet.
     is_open: bool,
 }
 
 impl Page {
-    /// The page at the beginning of these bytes, if its checksum is right. What is read of one that is wrong is
-    /// taken from what may be.
+    /// The page at the beginning of these bytes, if its checksum is right. The length of one with a wrong checksum is
+    /// subtracted from `wrong`.
     fn parse(bytes: &[u8], wrong: &mut u64) -> Option<Self> {
         let header = bytes.first_chunk::<27>()?;
         let segments = bytes.get(27..27 + usize::from(header[26]))?;
         let len = 27 + segments.len() + segments.iter().map(|&len| usize::from(len)).sum::<usize>();
         let page = bytes.get(..len).filter(|page| page.starts_with(b"OggS"))?;
         let word = |at: usize| Some(u32::from_le_bytes(*page.get(at..)?.first_chunk()?));
+        // The checksum is that of the page with zeros in place of the checksum.
         let mut checksum = Crc32::new(0);
         checksum.process_buf_bytes(&page[..22]);
         checksum.process_buf_bytes(&[0; 4]);
@@ -55,23 +58,24 @@ impl Page {
             number: word(18)?,
             clock: (clock != u64::MAX).then_some(clock),
             is_continued: header[5] & 1 == 1,
+            // A packet ends with a segment that is not full.
             packets: segments.iter().filter(|&&len| len < 255).count() as u64,
             is_open: segments.last() == Some(&255),
         })
     }
 }
 
-/// The pages that are whole, and where others are missing between them; `None` if there are too many wrong ones.
+/// Surveys the whole pages, and where others are missing between them; `None` if too many pages are wrong.
 pub(super) fn survey<S: Read + Seek>(
     window: &mut Window<S>,
     start: u64,
 ) -> io::Result<Option<Framing>> {
-    let mut wrong = WRONG.0 * window.len + WRONG.1;
+    let mut wrong = MAX_WRONG.0 * window.len + MAX_WRONG.1;
     let mut sound = Vec::new();
     let mut tracks: BTreeMap<u32, Track> = BTreeMap::new();
     let mut breaks = Vec::new();
     let mut at = start;
-    while at < window.len && breaks.len() < MOST_BREAKS && tracks.len() < MOST_TRACKS {
+    while at < window.len && breaks.len() < MAX_BREAKS && tracks.len() < MAX_TRACKS {
         if let Some(page) = Page::parse(window.at(at, PAGE)?, &mut wrong) {
             keep(&mut sound, at..at + page.len);
             breaks.extend(tracks.entry(page.track).or_default().take(&page));
@@ -92,28 +96,30 @@ pub(super) fn survey<S: Read + Seek>(
     }))
 }
 
-/// What was read of a track, as the demuxer reads it.
+/// How far a track was surveyed, with the packets that the demuxer returns.
 #[derive(Default)]
 struct Track {
+    /// Number of its last page.
     number: Option<u32>,
+    /// Time of the last packet, in ticks.
     clock: u64,
-    /// Packets of sound: those of the headers end at time 0.
+    /// Number of packets of sound. Those of the headers, which end at time 0, do not count.
     packets: u64,
-    /// Whether a packet has begun that did not end.
+    /// Whether the last page ended within a packet.
     is_open: bool,
     /// Whether pages are missing since the last packet that ended.
     is_broken: bool,
 }
 
 impl Track {
-    /// Takes the next page; the break in front of it, if there is one.
+    /// Takes the next page; returns the break in front of it, if pages are missing there.
     fn take(&mut self, page: &Page) -> Option<Break> {
         let expected = self.number.map(|number| number.wrapping_add(1));
         let is_expected = expected.is_none_or(|number| number == page.number);
         self.number = Some(page.number);
         self.is_broken |= !is_expected;
         self.is_open &= is_expected && page.is_continued;
-        // The end of a packet whose beginning is missing is left out.
+        // The demuxer leaves out the end of a packet whose beginning is missing.
         let is_headless = page.is_continued && !self.is_open;
         if is_headless && page.packets == 0 {
             return None;
@@ -143,15 +149,15 @@ mod tests {
 
     /// Each header claims to be of a page of 58 kB: all that the file holds, 2,000 times.
     #[test]
-    fn headers_of_pages_that_are_none_are_given_up() {
+    fn too_many_false_headers_of_pages_are_refused() {
         const LEN: usize = 27 * 400_000;
         let mut header = [0xff; 27];
         header[..4].copy_from_slice(b"OggS");
         let mut file = Cursor::new(header.repeat(LEN / header.len()));
         let mut window = Window::new(&mut file).unwrap();
         assert_eq!(survey(&mut window, 0).unwrap(), None);
-        // Each takes at least 50 kB from what may be wrong.
-        let headers = (WRONG.0 * LEN as u64 + WRONG.1) / 50_000;
+        // Each reduces the allowance by at least 50 kB.
+        let headers = (MAX_WRONG.0 * LEN as u64 + MAX_WRONG.1) / 50_000;
         assert!(window.start <= headers * header.len() as u64);
     }
 }

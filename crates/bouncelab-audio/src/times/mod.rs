@@ -1,6 +1,6 @@
 //! Lists of impact times: published tables, stopwatch apps, other programs' exports.
 //!
-//! | extension | content |
+//! | ending | content |
 //! |---|---|
 //! | `.txt` | one time a line, perhaps below a heading; blank lines and lines that start with `#` are skipped; or a label track of Audacity; or columns separated by tabs, as for `.csv` |
 //! | `.csv` | one time a line, or columns with a header, one of them a word for time, perhaps with a unit, as in `time_s` and `Time (ms)`; separated by commas, semicolons or tabs; `#` as above |
@@ -26,7 +26,7 @@ use bouncelab::Plain;
 use crate::error::{Error, Result};
 use crate::problem::{MissingContent, TimesProblem};
 
-/// A time, and the line it was read from where the format has lines.
+/// A time, and its line in formats that have lines.
 type Entry = (Option<usize>, f64);
 
 /// Whether a file of this name is read as a list of times.
@@ -38,15 +38,15 @@ pub fn is_list(name: &str) -> bool {
 ///
 /// # Errors
 ///
-/// [`Error::Times`] with the line at fault if the extension is none of these, something is
-/// not a number, or the times do not increase; [`Error::Empty`] if there are none;
+/// [`Error::Times`] with the line of the problem if the name has none of the [`endings`], a cell is
+/// not a number, or the times do not increase; [`Error::Empty`] without times;
 /// [`Error::NotFound`], [`Error::Directory`] or [`Error::Io`] if the file cannot be read.
 pub fn read(path: impl AsRef<Path>) -> Result<Vec<f64>> {
     let path = path.as_ref();
     parse(&bytes(path)?, &String::from(Plain::path(path)))
 }
 
-/// The content of a list, if it is a file and no longer than any list or waveform.
+/// The content of a list or waveform, if the path is that of a file and the content is not too long.
 pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>> {
     let name = String::from(Plain::path(path));
     let failed = |reason| Error::io(&name, reason);
@@ -60,26 +60,27 @@ pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>> {
     bytes_of(File::open(path).map_err(failed)?, &name)
 }
 
-/// The content of a list from a reader, if it is no longer than any list or waveform.
+/// The content of a list or waveform from a reader, if it is not too long.
 pub(crate) fn bytes_of(mut reader: impl Read + Seek, name: &str) -> Result<Vec<u8>> {
     let read = || -> io::Result<Vec<u8>> {
-        let len = reader.seek(SeekFrom::End(0))?.min(MOST_BYTES + 1);
+        let len = reader.seek(SeekFrom::End(0))?.min(MAX_WAVEFORM_LEN + 1);
         reader.rewind()?;
-        // Growing would take twice as much memory.
+        // A vector that grows would take twice as much memory.
         let mut content = Vec::with_capacity(len as usize);
         reader.take(len).read_to_end(&mut content)?;
         Ok(content)
     };
     let content = read().map_err(|reason| Error::io(name, reason))?;
-    List { name }.check_len(&content, MOST_BYTES)?;
+    List { name }.check_len(&content, MAX_WAVEFORM_LEN)?;
     Ok(content)
 }
 
-/// More text than this is no waveform that fits in memory, and no list.
-const MOST_BYTES: u64 = 1 << 26;
-const MOST_BYTES_OF_LIST: u64 = 1 << 22;
+/// Maximum length of a waveform in bytes, which is kept in memory.
+const MAX_WAVEFORM_LEN: u64 = 1 << 26;
+/// Maximum length of a list in bytes.
+const MAX_LIST_LEN: u64 = 1 << 22;
 
-/// Reads the times in the content of a file; the extension of its name says how.
+/// Reads the times in the content of a file; the ending of its name determines the format.
 ///
 /// ```
 /// let times = bouncelab_audio::times::parse(b"# seconds\n0.10\n0.45\n0.72\n", "drop.txt")?;
@@ -95,7 +96,7 @@ pub fn parse(content: &[u8], name: &str) -> Result<Vec<f64>> {
     let Some(format) = Format::of(name) else {
         return list.refuse(None, TimesProblem::Ending);
     };
-    list.check_len(content, MOST_BYTES_OF_LIST)?;
+    list.check_len(content, MAX_LIST_LEN)?;
     let Some(text) = decoded(content) else {
         return list.refuse(None, TimesProblem::NotText);
     };
@@ -128,7 +129,7 @@ fn decoded(content: &[u8]) -> Option<Cow<'_, str>> {
     }
 }
 
-/// The first line with something on it that is no comment.
+/// The first line that is neither blank nor a comment.
 fn first_line(text: &str) -> &str {
     let mut lines = text.lines();
     let has_content = |line: &&str| !line.trim().is_empty() && !line.starts_with('#');
@@ -164,10 +165,10 @@ impl Format {
     }
 }
 
-/// Three centuries: farther from zero no clock has a microsecond left to tell.
-const FARTHEST_S: f64 = 1e10;
+/// Maximum distance of a time from zero, in seconds: three centuries. Numbers beyond it do not resolve a microsecond.
+const MAX_TIME_S: f64 = 1e10;
 
-/// A list being read; knows its name for the errors.
+/// A list that is read, with its name for errors.
 struct List<'a> {
     name: &'a str,
 }
@@ -177,12 +178,12 @@ impl List<'_> {
         Err(Error::times(self.name, line, problem))
     }
 
-    fn check_len(&self, content: &[u8], most: u64) -> Result<()> {
-        if content.len() as u64 <= most {
+    fn check_len(&self, content: &[u8], max_len: u64) -> Result<()> {
+        if content.len() as u64 <= max_len {
             return Ok(());
         }
-        let most_mb = most >> 20;
-        self.refuse(None, TimesProblem::TooLong { most_mb })
+        let max_mb = max_len >> 20;
+        self.refuse(None, TimesProblem::TooLong { max_mb })
     }
 
     /// One time on each line, perhaps below a heading.
@@ -238,7 +239,7 @@ impl List<'_> {
                 }
                 continue;
             };
-            // A decimal comma would be taken for a separator.
+            // A decimal comma would count as a separator.
             if record.iter().skip(columns).any(|cell| !cell.is_empty()) {
                 let found = record.len();
                 return self.refuse(Some(line), TimesProblem::MoreColumns { found, columns });
@@ -251,7 +252,7 @@ impl List<'_> {
         Ok(entries)
     }
 
-    /// Which column of the table holds the times, and how many seconds their unit has, from its first line.
+    /// The column with the times, and their unit in seconds, by the first line of the table.
     fn column(
         &self,
         first: &csv::StringRecord,
@@ -314,7 +315,7 @@ impl List<'_> {
                 what: MissingContent::Time,
             });
         }
-        if let Some(&(line, time_s)) = entries.iter().find(|entry| entry.1.abs() > FARTHEST_S) {
+        if let Some(&(line, time_s)) = entries.iter().find(|entry| entry.1.abs() > MAX_TIME_S) {
             let text = format!("{time_s:e}");
             return self.refuse(line, TimesProblem::NotNumber { text });
         }
@@ -327,7 +328,8 @@ impl List<'_> {
     }
 }
 
-/// The separator of a table: a tab if its first line has one, else what that line has more of, if any.
+/// The separator of a table: a tab if its first line has one, else a semicolon or a comma, of which that line has more;
+/// `None` without any.
 fn separator(text: &str) -> Option<u8> {
     let first = first_line(text);
     let count = |separator| first.matches(separator).count();
