@@ -72,33 +72,6 @@ pub(crate) fn run(command: &mut Command) -> Result {
     }
 }
 
-/// Runs an example of a package, with these words for it: a chore that is written as one.
-pub(crate) fn run_example(package: &str, example: &str, words: &[String]) -> Result {
-    let run_it = [
-        "run",
-        "--release",
-        "--package",
-        package,
-        "--example",
-        example,
-        "--",
-    ];
-    run(cargo(run_it).args(words))
-}
-
-/// Runs a measuring program of the project with these arguments.
-pub(crate) fn run_measuring_program(name: &str, arguments: &[String]) -> Result {
-    let run_it = [
-        "run",
-        "--release",
-        "--package",
-        "bouncelab-bench",
-        "--",
-        name,
-    ];
-    run(cargo(run_it).args(arguments))
-}
-
 /// Whether cargo knows this subcommand.
 pub(crate) fn has(subcommand: &str) -> bool {
     let mut command = cargo([subcommand, "--version"]);

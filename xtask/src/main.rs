@@ -12,21 +12,16 @@
 
 mod bench;
 mod book;
-mod calibrate;
 mod cargo;
 mod cluster;
-mod damage;
-mod detection;
 mod fresh;
 mod fuzz;
-mod laboratory;
-mod measurements;
+mod measure;
 mod package;
 mod python;
 mod release;
 mod steps;
 mod test;
-mod verdicts;
 mod web;
 
 use std::io;
@@ -48,7 +43,7 @@ struct Chore {
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 13] = [
+const CHORES: [Chore; 7] = [
     Chore {
         name: "test",
         arguments: "[CHECK...]",
@@ -60,18 +55,6 @@ const CHORES: [Chore; 13] = [
         arguments: "[FILTER...]",
         about: bench::ABOUT,
         run: bench::run,
-    },
-    Chore {
-        name: "calibrate",
-        arguments: "[DROPS [FOLDER]] | worlds [DROPS] [impacts=N] [WORLD...] [LAW...]",
-        about: calibrate::ABOUT,
-        run: calibrate::run,
-    },
-    Chore {
-        name: "laboratory",
-        arguments: "FOLDER COUNT",
-        about: laboratory::ABOUT,
-        run: laboratory::run,
     },
     Chore {
         name: "wheel",
@@ -90,30 +73,6 @@ const CHORES: [Chore; 13] = [
         arguments: "",
         about: book::ABOUT,
         run: book::run,
-    },
-    Chore {
-        name: "verdicts",
-        arguments: "[BALLS [DROPS]]",
-        about: verdicts::ABOUT,
-        run: verdicts::run,
-    },
-    Chore {
-        name: "detection",
-        arguments: "[PART...] [drops=20] [hours=1] [only=SOUND] [wav=FOLDER]",
-        about: detection::ABOUT,
-        run: detection::run,
-    },
-    Chore {
-        name: "damage",
-        arguments: "[FORMAT] [quick]",
-        about: damage::ABOUT,
-        run: damage::run,
-    },
-    Chore {
-        name: "net",
-        arguments: "[drops=1000] [sounds=FOLDER]... [out=FILE] [compare=FILE] [store=FILE]",
-        about: "Every number of simulated drops and of sounds, or how they differ from those of an earlier run",
-        run: |arguments| cargo::run_measuring_program("net", arguments),
     },
     Chore {
         name: "fuzz",
@@ -136,11 +95,16 @@ fn main() -> ExitCode {
         print!("{}", help());
         return ExitCode::SUCCESS;
     }
-    let Some(chore) = CHORES.iter().find(|chore| chore.name == name) else {
-        eprint!("There is no chore '{name}'.\n\n{}", help());
+    let arguments: Vec<String> = arguments.collect();
+    let result = if let Some(chore) = CHORES.iter().find(|chore| chore.name == name) {
+        (chore.run)(&arguments)
+    } else if measure::PROGRAMS.iter().any(|it| it.name == name) {
+        measure::run(&name, &arguments)
+    } else {
+        eprint!("There is no task '{name}'.\n\n{}", help());
         return ExitCode::from(2);
     };
-    match (chore.run)(&arguments.collect::<Vec<_>>()) {
+    match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(reason) => {
             eprintln!("cargo xtask {name}: {reason}");
@@ -150,19 +114,24 @@ fn main() -> ExitCode {
 }
 
 fn help() -> String {
-    let chores = CHORES.iter().map(|chore| {
-        let usage = format!("{} {}", chore.name, chore.arguments);
-        format!("  cargo xtask {usage}\n      {}\n", chore.about)
-    });
+    let task =
+        |name, arguments, about| format!("  cargo xtask {name} {arguments}\n      {about}\n");
+    let chores = CHORES.iter();
+    let chores: String = chores
+        .map(|it| task(it.name, it.arguments, it.about))
+        .collect();
+    let programs = measure::PROGRAMS.iter();
+    let programs: String = programs
+        .map(|it| task(it.name, it.arguments, it.about))
+        .collect();
     let list = |checks: &[test::Check]| -> String {
         let lines = checks.iter();
         let lines = lines.map(|check| format!("  {:<10} {}\n", check.name, check.about));
         lines.collect()
     };
     format!(
-        "The project's chores:\n{}\nThe checks of `cargo xtask test`, in order:\n{}\nOnly where it is \
+        "The tasks of the project:\n{chores}\nIts measuring programs:\n{programs}\nThe checks of `cargo xtask test`, in order:\n{}\nOnly where it is \
          named:\n{}",
-        chores.collect::<String>(),
         list(&test::CHECKS),
         list(&test::ON_REQUEST)
     )

@@ -7,7 +7,7 @@ use crate::cargo::{
     cargo, cargo_all, has, has_sound_headers, install, root, run as run_command, succeeds,
 };
 use crate::steps::{self, Step, Time, Watch};
-use crate::{Result, book, cluster, fresh, measurements, package, python, release, web};
+use crate::{Result, book, cluster, fresh, measure, package, python, release, web};
 
 pub(crate) const ABOUT: &str = "Run every check, or only the named ones";
 
@@ -118,7 +118,7 @@ pub(crate) const CHECKS: [Check; 20] = [
         name: "measurements",
         about: "the commands of the documents that measure for hours, on little",
         needs: Needs::Nothing,
-        run: measurements::check,
+        run: measure::check,
     },
     Check {
         name: "docs",

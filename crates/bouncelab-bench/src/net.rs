@@ -5,16 +5,18 @@
 //! on any number of cores.
 
 use std::collections::BTreeMap;
+use std::error::Error;
+use std::fmt::Write as _;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use bouncelab::analysis::{self, Drop, Options, Recording, analyze_impacts, impacts_of_times};
+use bouncelab::analysis::{
+    self, Drop, DropTask, Options, Recording, analyze_impacts, impacts_of_times,
+};
 use bouncelab::ball;
 use bouncelab::drag::DragLaw;
-use bouncelab::inference::{
-    ApexTarget, InferenceOptions, LawKind, Measured, Posterior, SamplerConfig, UNKNOWN,
-};
+use bouncelab::inference::{ApexTarget, LawKind, Measured, Posterior, UNKNOWN};
 use bouncelab::{Diagnostic, Estimate, Impact};
 use bouncelab_audio::Input;
 use rand::SeedableRng;
@@ -22,6 +24,62 @@ use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
 use crate::scenario::{self, MAX_IMPACTS, Scenario};
+use crate::{Result, seeded};
+
+/// How many drops the tests compare with the stored copy.
+const STORED_DROPS: usize = 200;
+
+/// `net [drops=1000] [sounds=FOLDER]... [out=FILE] [compare=FILE] [store=FILE]`
+///
+/// Every number of simulated drops and of the sounds in these folders, and in that of `BOUNCELAB_RECORDINGS`; or how they
+/// differ from those that `out` wrote earlier. `store` writes the copy that the tests compare with.
+///
+/// # Errors
+///
+/// If an argument is unknown, a file cannot be read or written, or a number differs.
+pub fn run(arguments: &[String]) -> Result {
+    let mut drops = 1000;
+    let (mut out, mut compare, mut store) = (None, None, None);
+    let recordings = std::env::var("BOUNCELAB_RECORDINGS");
+    let mut folders: Vec<String> = recordings.into_iter().collect();
+    for argument in arguments {
+        match argument.split_once('=') {
+            Some(("drops", count)) => drops = count.parse()?,
+            Some(("sounds", folder)) => folders.push(folder.to_owned()),
+            Some(("out", file)) => out = Some(file),
+            Some(("compare", file)) => compare = Some(file),
+            Some(("store", file)) => store = Some(file),
+            _ => {
+                return Err(format!(
+                    "'{argument}' is none of: drops=N, sounds=FOLDER, out=FILE, compare=FILE, store=FILE"
+                )
+                .into());
+            }
+        }
+    }
+    if let Some(file) = store {
+        let table = stored_table(&numbers_of_drops(STORED_DROPS));
+        return Ok(fs::write(file, table)?);
+    }
+    let mut numbers = numbers_of_drops(drops);
+    for folder in folders {
+        numbers.extend(numbers_of_folder(Path::new(&folder))?);
+    }
+    let numbers: Vec<Number> = numbers.concat();
+    let text = text(&numbers);
+    if let Some(file) = out {
+        fs::write(file, &text)?;
+    }
+    match compare {
+        Some(file) => match difference(&fs::read_to_string(file)?, &text) {
+            None => println!("net: same"),
+            Some(difference) => return Err(difference.into()),
+        },
+        None if out.is_none() => print!("{text}"),
+        None => {}
+    }
+    Ok(())
+}
 
 /// A number of a result.
 #[derive(Clone, Debug, PartialEq)]
@@ -253,13 +311,7 @@ fn simulated(index: usize) -> (String, Vec<Impact>, Options) {
         .map(ChaCha8Rng::seed_from_u64)
         .find_map(|mut rng| scenario::Drop::drawn(scenario, max_impacts, &options, &mut rng));
     let drop = drop.expect("seeds do not end");
-    let mut inference = InferenceOptions {
-        sampler: SamplerConfig {
-            seed: index as u64,
-            ..SamplerConfig::default()
-        },
-        ..InferenceOptions::default()
-    };
+    let mut inference = seeded(index as u64);
     let mut impacts = impacts_of_times(&drop.times_s);
     match round % 9 {
         1 => {
@@ -307,7 +359,7 @@ fn simulated(index: usize) -> (String, Vec<Impact>, Options) {
 }
 
 /// The numbers of a simulated drop, by its index.
-pub fn numbers_of_drop(index: usize) -> Vec<Number> {
+fn numbers_of_drop(index: usize) -> Vec<Number> {
     let (scenario, impacts, options) = simulated(index);
     let mut numbers = Numbers::of(format!("drop {index:04} {scenario}"));
     numbers.drop(&analyze_impacts(impacts, &options));
@@ -321,11 +373,7 @@ pub fn numbers_of_drops(count: usize) -> Vec<Vec<Number>> {
 
 /// The numbers of every file of a folder, in the order of their names; one that cannot be read has one that
 /// says so.
-///
-/// # Errors
-///
-/// If the folder cannot be listed.
-pub fn numbers_of_folder(folder: &Path) -> io::Result<Vec<Vec<Number>>> {
+fn numbers_of_folder(folder: &Path) -> io::Result<Vec<Vec<Number>>> {
     let entries: io::Result<Vec<_>> = fs::read_dir(folder)?.collect();
     let mut paths: Vec<PathBuf> = entries?.into_iter().map(|entry| entry.path()).collect();
     paths.retain(|path| path.is_file());
@@ -358,10 +406,10 @@ fn numbers_of_file(path: &Path) -> Vec<Number> {
     numbers.list
 }
 
-fn analyzed(path: &Path) -> Result<Recording, Box<dyn std::error::Error>> {
+fn analyzed(path: &Path) -> Result<Recording> {
     let input = Input::open(path)?;
-    let plan = input.plan::<Box<dyn std::error::Error>>(&Options::default(), |_| Ok(()))?;
-    let drops = plan.tasks().par_iter().map(|task| task.run()).collect();
+    let plan = input.plan::<Box<dyn Error + Send + Sync>>(&Options::default(), |_| Ok(()))?;
+    let drops = plan.tasks().par_iter().map(DropTask::run).collect();
     Ok(plan.finish(drops))
 }
 
@@ -404,16 +452,17 @@ pub fn stored_table(drops: &[Vec<Number>]) -> String {
 }
 
 /// A line for each number: its name, a tab, and the shortest digits that mean this number alone.
-pub fn text<'a>(numbers: impl IntoIterator<Item = &'a Number>) -> String {
-    let lines = numbers.into_iter();
-    lines
-        .map(|Number { name, value }| format!("{name}\t{value:?}\n"))
-        .collect()
+fn text<'a>(numbers: impl IntoIterator<Item = &'a Number>) -> String {
+    let mut text = String::new();
+    for Number { name, value } in numbers {
+        let _ = writeln!(text, "{name}\t{value:?}");
+    }
+    text
 }
 
 /// What differs between the texts of two runs: how many lines, the first of them, and the largest relative
 /// difference of a number; `None` if the texts are the same byte for byte.
-pub fn difference(before: &str, after: &str) -> Option<String> {
+fn difference(before: &str, after: &str) -> Option<String> {
     const MAX_SHOWN: usize = 10;
     if before == after {
         return None;
@@ -435,22 +484,26 @@ pub fn difference(before: &str, after: &str) -> Option<String> {
         Some(relative_difference(before, after))
     });
     let largest = largest.fold(0.0, f64::max);
-    let shown = differences.iter().take(MAX_SHOWN);
-    let shown: String = shown
-        .map(|(name, before, after)| format!("  {name}: {before} -> {after}\n"))
-        .collect();
-    let count = differences.len();
-    Some(format!(
-        "{count} of {} numbers differ, at most by {largest:.1e} of their value:\n{shown}",
+    let mut text = format!(
+        "{} of {} numbers differ, at most by {largest:.1e} of their value:",
+        differences.len(),
         new.len()
-    ))
+    );
+    for (name, before, after) in differences.iter().take(MAX_SHOWN) {
+        let _ = write!(text, "\n  {name}: {before} -> {after}");
+    }
+    Some(text)
 }
 
-/// The difference of two numbers as a share of the larger one; infinite if only one is a number.
+/// The difference of two numbers as a share of the larger one; infinite if only one is finite.
 pub fn relative_difference(a: f64, b: f64) -> f64 {
-    if a == b || a.is_nan() && b.is_nan() {
+    if a.total_cmp(&b).is_eq() || a.is_nan() && b.is_nan() {
         return 0.0;
     }
-    let share = (a - b).abs() / a.abs().max(b.abs());
-    if share.is_nan() { f64::INFINITY } else { share }
+    let share = (a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE);
+    if share.is_finite() {
+        share
+    } else {
+        f64::INFINITY
+    }
 }

@@ -88,15 +88,15 @@ impl Scenario {
 /// Drops end at this many impacts unless fewer are asked for, or when flights get shorter than
 /// [`SHORTEST_FLIGHT_S`], as they do in recordings.
 pub const MAX_IMPACTS: usize = 40;
-const SHORTEST_FLIGHT_S: f64 = 0.05;
+pub(crate) const SHORTEST_FLIGHT_S: f64 = 0.05;
 /// A drop with more impacts than this never rests.
 const MAX_BOUNCES: usize = 2000;
 /// After a launch as slow as this, in m/s, the flights are a geometric series.
-const REST_M_S: f64 = 0.01;
+pub(crate) const REST_M_S: f64 = 0.01;
 /// Scatter of the restitution on a rough surface.
 const ROUGH: f64 = 0.02;
 /// The detector finds no drop in fewer impacts; only a list of times may have fewer.
-const MIN_IMPACTS: usize = 5;
+pub(crate) const MIN_IMPACTS: usize = 5;
 /// The reference speed of the restitution laws, m/s.
 const REFERENCE_M_S: f64 = 1.5;
 

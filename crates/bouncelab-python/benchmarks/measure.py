@@ -63,7 +63,7 @@ def overhead(call: Path) -> None:
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "drop.f32"
         sound.samples.tofile(file)
-        command = [call, file, str(sound.sample_rate_hz), str(DRAWS), "10"]
+        command = [call, "call", file, str(sound.sample_rate_hz), str(DRAWS), "10"]
         for _ in range(15):
             shown = subprocess.run(command, capture_output=True, text=True, check=True).stdout
             rust = min(map(float, shown.split()))
@@ -171,7 +171,7 @@ def main() -> None:
         "import": importing, "threads": threads, "memory": memory, "forks": forks,
     }  # fmt: skip
     parser.add_argument("what", nargs="*", help=f"{', '.join(free)}; all if left out")
-    parser.add_argument("--call", type=Path, help="the program `call`, an example of the crate bouncelab")
+    parser.add_argument("--call", type=Path, help="the measuring programs, `bouncelab-bench`")
     parser.add_argument("--wheel", type=Path, help="the wheel that is installed")
     asked = parser.parse_args()
     load, cores = os.getloadavg()[0], os.cpu_count()

@@ -6,7 +6,7 @@ folder=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 mkdir "$work/drops"
-cargo run --quiet --manifest-path "$folder/../Cargo.toml" --example drop_sounds "$work"
+cargo run --quiet --manifest-path "$folder/../../bouncelab-bench/Cargo.toml" -- drop-sounds "$work"
 
 # sound RATE OUTPUT OPTIONS...: encodes the sound of that rate, without dates and versions.
 sound() {

@@ -9,6 +9,7 @@ pub mod damage;
 #[cfg(feature = "fuzz")]
 pub mod fuzz;
 pub mod hostile;
+pub mod laboratory;
 
 use std::fs;
 use std::iter::successors;

@@ -37,10 +37,7 @@ const ELSEWHERE: [(&str, Elsewhere); 25] = [
     ("bouncelab listen --ball tennis --save", Check("card")),
     ("bouncelab session --from", Check("cluster")),
     ("cargo binstall ", Never("it takes a release")),
-    (
-        "cargo build --release -p bouncelab --example call",
-        MEASURED,
-    ),
+    ("cargo build --release -p bouncelab-bench", MEASURED),
     // It compiles the program, as a user does.
     (
         "cargo install --locked --path crates/bouncelab-cli",

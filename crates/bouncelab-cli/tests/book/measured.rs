@@ -85,7 +85,7 @@ fn summaries_have_the_numbers_of_the_tables() {
     let (trust, inference) = (page("trust.md"), page("validation.md"));
     let (detection, reliability) = (page("listening.md"), page("reliability.md"));
 
-    for (name, quote, after) in [("calibration", "", " |"), ("worlds", "`", ":")] {
+    for (name, quote, after) in [("calibration", "", " |"), ("scenarios", "`", ":")] {
         let table = table(name);
         let scenarios: BTreeSet<&str> = rows(&table)[2..].iter().map(|row| row[0]).collect();
         for scenario in scenarios {

@@ -85,7 +85,7 @@ pub(super) fn diagnostics(
 }
 
 /// A diagnostic if restitution scatters far more than the prior says. Few impacts do not overcome a prior, and the
-/// intervals are too narrow on such a surface (`docs/validation.md`, worlds).
+/// intervals are too narrow on such a surface (`docs/validation.md`, scenarios).
 pub(super) fn scattered(posterior: &SampledPosterior, scatter: f64) -> Option<Diagnostic> {
     /// The prior is right within this factor.
     const RIGHT_WITHIN: f64 = 2.0;

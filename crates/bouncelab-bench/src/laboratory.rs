@@ -1,14 +1,10 @@
-//! Makes recordings of ten seconds with known truth, to measure sessions with:
-//! `cargo run --release -p bouncelab-cli --example laboratory -- FOLDER COUNT`.
-
-#![expect(clippy::print_stderr, reason = "it prints for contributors")]
+//! Makes recordings of ten seconds with known truth, to measure sessions with: `cargo xtask laboratory FOLDER COUNT`.
 
 use std::path::PathBuf;
 
-#[path = "../tests/laboratory/world.rs"]
-mod world;
+use bouncelab_testkit::laboratory::Truth;
 
-use world::Truth;
+use crate::Result;
 
 const BALLS: [&str; 4] = ["amber", "blue", "cyan", "dun"];
 const SURFACES: [&str; 3] = ["steel", "stone", "wood"];
@@ -16,15 +12,17 @@ const HEIGHTS_CM: [usize; 5] = [20, 30, 45, 70, 100];
 /// With the drop it makes about ten seconds.
 const LEAD_IN_S: f64 = 4.5;
 
-fn main() {
-    let mut arguments = std::env::args().skip(1);
-    let (Some(folder), Some(count)) = (arguments.next(), arguments.next()) else {
-        eprintln!("usage: laboratory FOLDER COUNT");
-        std::process::exit(2);
+/// `laboratory FOLDER COUNT`: writes the recordings.
+///
+/// # Errors
+///
+/// If an argument is missing or the folder cannot be made.
+pub fn run(arguments: &[String]) -> Result {
+    let [folder, count] = arguments else {
+        return Err("usage: laboratory FOLDER COUNT".into());
     };
-    let folder = PathBuf::from(folder);
-    let count: usize = count.parse().expect("a number of recordings");
-    std::fs::create_dir_all(&folder).expect("a folder to write into");
+    let (folder, count) = (PathBuf::from(folder), count.parse::<usize>()?);
+    std::fs::create_dir_all(&folder)?;
     for number in 0..count {
         let (ball, surface) = (number % 4, number / 4 % 3);
         let height_cm = HEIGHTS_CM[number / 12 % 5];
@@ -43,4 +41,5 @@ fn main() {
             number as u64 + 1,
         );
     }
+    Ok(())
 }

@@ -2,14 +2,12 @@
 //! one was.
 //!
 //! ```text
-//! cargo run --release -p bouncelab --example balls 100
+//! cargo xtask balls 100
 //! ```
 //!
 //! simulates so many drops of each preset ball (restitution 0.6 to 0.9 at 1 m/s, falling with the speed
 //! or not; scatter 0.3 %, times good to 50 µs) from 0.3 to 1.5 m and as many from 2.5 m, and prints the
 //! table of `docs/validation.md`.
-
-#![expect(clippy::print_stdout, reason = "it prints for contributors")]
 
 use bouncelab::Impact;
 use bouncelab::analysis::{Drop, analyze_impacts};
@@ -28,8 +26,13 @@ const SHORTEST_FLIGHT_S: f64 = 0.06;
 /// From which heights the balls are dropped: in words, and the lowest and the highest in metres.
 const HEIGHTS: [(&str, f64, f64); 2] = [("0.3 to 1.5 m", 0.3, 1.5), ("2.5 m", 2.5, 2.5)];
 
-fn main() -> Result<()> {
-    let count = std::env::args().nth(1).and_then(|count| count.parse().ok());
+/// `balls [DROPS]`: prints the table.
+///
+/// # Errors
+///
+/// If a drop cannot be simulated.
+pub fn run(arguments: &[String]) -> crate::Result {
+    let count = arguments.first().and_then(|count| count.parse().ok());
     let count = count.unwrap_or(20);
     println!(
         "| dropped from | the ball | stated rightly: doubted | another is named \

@@ -1,7 +1,7 @@
 //! Sounds that keep a steady rate, as of a machine: no drop, however long they go on, and wherever the past is cut that
 //! the detector remembers. A drop among them is found wherever that is.
 
-use crate::drops::{detect, usual};
+use super::drops::{detect, usual};
 use bouncelab::detection::Detection;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Rendered, Scene};

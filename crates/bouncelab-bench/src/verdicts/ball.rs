@@ -28,21 +28,21 @@ const EXPONENT_SD: f64 = 0.03;
 const MOST_IMPACTS: usize = 30;
 
 /// How balls are tried.
-#[derive(Clone, Copy)]
-pub(crate) struct Trial {
+#[derive(Clone, Copy, Debug)]
+pub struct Trial {
     /// The rebound that the ball has, from the height of the rule, m.
-    pub(crate) rebound_m: f64,
+    pub rebound_m: f64,
     /// Drops of each ball.
-    pub(crate) drops: usize,
+    pub drops: usize,
     /// By how much the restitution differs from drop to drop, as a share.
-    pub(crate) between: f64,
+    pub between: f64,
     /// Draws of each inference.
-    pub(crate) draws: usize,
+    pub draws: usize,
 }
 
 impl Trial {
     /// The verdict on one ball; the seed decides everything about it.
-    pub(crate) fn verdict(&self, seed: u64) -> Outcome {
+    pub fn verdict(&self, seed: u64) -> Outcome {
         let mut chance = ChaCha8Rng::seed_from_u64(seed);
         let settings = self.settings(seed);
         let real = RealBall::new(self.rebound_m, &settings, &mut chance);

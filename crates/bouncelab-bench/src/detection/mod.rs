@@ -9,12 +9,6 @@
 //!
 //! Every sound comes from a seed: the same command prints the same numbers.
 
-#![expect(
-    clippy::print_stderr,
-    clippy::print_stdout,
-    reason = "it prints for contributors"
-)]
-
 mod backgrounds;
 mod cells;
 mod drops;
@@ -25,7 +19,7 @@ mod silence;
 mod steady;
 mod timing;
 
-use std::process::ExitCode;
+use crate::Result;
 
 /// What was asked for.
 struct Request {
@@ -36,50 +30,19 @@ struct Request {
     wav: Option<String>,
 }
 
-fn main() -> ExitCode {
-    match parse(std::env::args().skip(1)) {
-        Ok(request) => run(&request),
-        Err(word) => {
-            eprintln!(
-                "'{word}' is none of: cells, timing, silence, steady, drops=N, hours=H, only=WORDS, wav=FOLDER"
-            );
-            ExitCode::from(2)
-        }
-    }
-}
-
-fn parse(words: impl Iterator<Item = String>) -> Result<Request, String> {
-    let mut request = Request {
-        parts: Vec::new(),
-        drops: 20,
-        hours: 1.0,
-        only: String::new(),
-        wav: None,
-    };
-    for word in words {
-        match word.split_once('=') {
-            None if ["cells", "timing", "silence", "steady"].contains(&word.as_str()) => {
-                request.parts.push(word);
-            }
-            Some(("drops", n)) => request.drops = n.parse().map_err(|_| word.clone())?,
-            Some(("hours", h)) => request.hours = h.parse().map_err(|_| word.clone())?,
-            Some(("only", words)) => request.only = words.into(),
-            Some(("wav", folder)) => request.wav = Some(folder.into()),
-            _ => return Err(word),
-        }
-    }
-    Ok(request)
-}
-
-fn run(request: &Request) -> ExitCode {
+/// `detection [PART...] [drops=20] [hours=1] [only=SOUND] [wav=FOLDER]`: prints the tables.
+///
+/// # Errors
+///
+/// If an argument is unknown, or sounds cannot be written.
+pub fn run(arguments: &[String]) -> Result {
+    let request = parse(arguments).map_err(|argument| {
+        format!(
+            "'{argument}' is none of: cells, timing, silence, steady, drops=N, hours=H, only=WORDS, wav=FOLDER"
+        )
+    })?;
     if let Some(folder) = &request.wav {
-        return match export::write(folder, request.drops) {
-            Ok(()) => ExitCode::SUCCESS,
-            Err(reason) => {
-                eprintln!("{reason}");
-                ExitCode::FAILURE
-            }
-        };
+        return Ok(export::write(folder, request.drops)?);
     }
     let asked = |part: &str| request.parts.is_empty() || request.parts.iter().any(|p| p == part);
     if asked("cells") {
@@ -94,5 +57,28 @@ fn run(request: &Request) -> ExitCode {
     if asked("steady") {
         steady::print();
     }
-    ExitCode::SUCCESS
+    Ok(())
+}
+
+fn parse(arguments: &[String]) -> std::result::Result<Request, String> {
+    let mut request = Request {
+        parts: Vec::new(),
+        drops: 20,
+        hours: 1.0,
+        only: String::new(),
+        wav: None,
+    };
+    for word in arguments {
+        match word.split_once('=') {
+            None if ["cells", "timing", "silence", "steady"].contains(&word.as_str()) => {
+                request.parts.push(word.clone());
+            }
+            Some(("drops", n)) => request.drops = n.parse().map_err(|_| word.clone())?,
+            Some(("hours", h)) => request.hours = h.parse().map_err(|_| word.clone())?,
+            Some(("only", words)) => request.only = words.into(),
+            Some(("wav", folder)) => request.wav = Some(folder.into()),
+            _ => return Err(word.clone()),
+        }
+    }
+    Ok(request)
 }

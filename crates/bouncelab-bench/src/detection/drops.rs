@@ -1,6 +1,6 @@
 //! Drops of all heights and balls, as sound.
 
-use crate::backgrounds::Kind;
+use super::backgrounds::Kind;
 use bouncelab::detection::{Detection, Detector};
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Noise, Rendered, Scene, Voice};

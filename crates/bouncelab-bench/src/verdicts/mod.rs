@@ -8,19 +8,24 @@
 //! prints the table of `docs/validation.md`; the first number is of balls for each line, the second
 //! leaves only the lines of so many drops.
 
-#![expect(clippy::print_stdout, reason = "it prints for contributors")]
-
 mod ball;
 
-use std::thread;
-
-use ball::{LIMITS, Trial};
+use ball::LIMITS;
+pub use ball::Trial;
 use bouncelab::rulebook::Outcome;
+use rayon::prelude::*;
 
-fn main() {
-    let number = |place: usize| std::env::args().nth(place)?.parse::<usize>().ok();
-    let balls = number(1).unwrap_or(1000) as u64;
-    let only = number(2);
+use crate::Result;
+
+/// `verdicts [BALLS [DROPS]]`: prints the table.
+///
+/// # Errors
+///
+/// None.
+pub fn run(arguments: &[String]) -> Result {
+    let number = |index: usize| arguments.get(index)?.parse::<usize>().ok();
+    let balls = number(0).unwrap_or(1000) as u64;
+    let only = number(1);
     println!("| rebound | drops | between drops | pass % | cannot decide % | fail % | wrong % |");
     println!("|---|---|---|---|---|---|---|");
     let lines = [(1, 0.0), (3, 0.0), (3, 0.005)].into_iter();
@@ -32,7 +37,8 @@ fn main() {
                 between,
                 draws: 1000,
             };
-            let outcomes = outcomes(trial, balls);
+            let seeds = (0..balls).into_par_iter();
+            let outcomes: Vec<Outcome> = seeds.map(|seed| trial.verdict(seed)).collect();
             let share = |outcome: Outcome| {
                 let count = outcomes.iter().filter(|&&found| found == outcome).count();
                 100.0 * count as f64 / balls as f64
@@ -52,28 +58,11 @@ fn main() {
             );
         }
     }
+    Ok(())
 }
 
 /// A ball on a limit counts as outside: a pass of it is what the rule guards against.
 fn on_or_outside(rebound_m: f64) -> bool {
     let ends = [LIMITS.least, LIMITS.greatest].into_iter().flatten();
     !LIMITS.contain(rebound_m) || ends.into_iter().any(|end| (end - rebound_m).abs() < 1e-9)
-}
-
-fn outcomes(trial: Trial, balls: u64) -> Vec<Outcome> {
-    let threads = thread::available_parallelism().map_or(1, |count| count.get() as u64);
-    thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads)
-            .map(|first| {
-                scope.spawn(move || {
-                    let own = (first..balls).step_by(threads as usize);
-                    own.map(|seed| trial.verdict(seed)).collect::<Vec<_>>()
-                })
-            })
-            .collect();
-        workers
-            .into_iter()
-            .flat_map(|worker| worker.join().unwrap_or_default())
-            .collect()
-    })
 }

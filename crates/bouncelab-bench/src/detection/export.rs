@@ -1,6 +1,6 @@
 //! The sounds of the cells as files, with their truth, for other detectors.
 
-use crate::drops::cells;
+use super::drops::cells;
 use bouncelab_audio::{SampleFormat, encode_wav};
 use std::fmt::Write as _;
 use std::fs;

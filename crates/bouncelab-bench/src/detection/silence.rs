@@ -1,8 +1,8 @@
 //! False drops in sound without a drop.
 
-use crate::backgrounds::Kind;
-use crate::drops::{detect, usual};
-use crate::reliability::Reliability;
+use super::backgrounds::Kind;
+use super::drops::{detect, usual};
+use super::reliability::Reliability;
 use bouncelab::synth::{self, Clicks, Hum, Noise, Scene};
 
 /// Seconds rendered at a time.

@@ -4,18 +4,12 @@
 //! `damage [FORMAT] [quick]`; `quick` leaves the inference out. On stderr are the cases that are wrong, and those
 //! whose only warning is that all of the sound is in doubt.
 
-#![expect(
-    clippy::print_stderr,
-    clippy::print_stdout,
-    reason = "it prints for contributors"
-)]
-
-use std::error::Error;
-
 use bouncelab::diagnostic::Code;
 use bouncelab::{Options, Recording};
 use bouncelab_testkit::damage::{Damage, Verdict, analyse, files, is_warned, judge, words};
 use rayon::prelude::*;
+
+use crate::Result;
 
 /// In the order of the columns.
 const VERDICTS: [Verdict; 4] = [
@@ -25,10 +19,19 @@ const VERDICTS: [Verdict; 4] = [
     Verdict::Wrong,
 ];
 
-fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
+/// `damage [FORMAT] [quick]`: prints the table.
+///
+/// # Errors
+///
+/// If an undamaged file cannot be analysed.
+///
+/// # Panics
+///
+/// If an undamaged file has no drop or a warning.
+pub fn run(arguments: &[String]) -> Result {
     let mut options = Options::default();
     let mut only = None;
-    for word in std::env::args().skip(1) {
+    for word in arguments {
         match word.as_str() {
             "quick" => options = options.without_inference(),
             _ => only = Some(word),
@@ -38,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
     println!("| file | {damages} |\n|---|{}", "---|".repeat(4));
     let mut sums = [[0; 4]; 4];
     for (name, file) in files() {
-        if only.as_ref().is_some_and(|only| !name.contains(only)) {
+        if only.is_some_and(|only: &String| !name.contains(only.as_str())) {
             continue;
         }
         let whole = analyse(&file, &name, &options)?;

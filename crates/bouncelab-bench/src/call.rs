@@ -1,18 +1,21 @@
-//! How long is a call? `cargo run --release --example call -- drop.f32 44100 1000 20` analyses the samples of a
+//! How long a call takes: `cargo run --release -p bouncelab-bench -- call drop.f32 44100 1000 20` analyses the samples of a
 //! file, one channel as 32-bit floats, as often as that with so many draws, and prints the seconds of each.
 //! `crates/bouncelab-python/benchmarks/measure.py` compares them with those of Python.
 
-#![expect(clippy::print_stdout, reason = "it prints for contributors")]
-
-use std::error::Error;
 use std::time::Instant;
 
 use bouncelab::analyze;
 use bouncelab::setup::Settings;
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [file, sample_rate_hz, draws, times] = arguments.as_slice() else {
+use crate::Result;
+
+/// `call FILE SAMPLE_RATE_HZ DRAWS TIMES`: prints the seconds of each call.
+///
+/// # Errors
+///
+/// If an argument is missing or invalid, or the file cannot be read or analysed.
+pub fn run(arguments: &[String]) -> Result {
+    let [file, sample_rate_hz, draws, times] = arguments else {
         return Err("usage: call FILE SAMPLE_RATE_HZ DRAWS TIMES".into());
     };
     let bytes = std::fs::read(file)?;

@@ -1,7 +1,7 @@
 //! What is found and what is made up, cell by cell.
 
-use crate::drops::{Cell, Recording, cells};
-use crate::reliability::Reliability;
+use super::drops::{Cell, Recording, cells};
+use super::reliability::Reliability;
 use bouncelab::detection::Detection;
 
 /// An impact is found if the times agree within this, in seconds, after the middle of the errors

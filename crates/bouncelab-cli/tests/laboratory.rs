@@ -1,17 +1,15 @@
 //! A whole laboratory, end to end: four balls on three surfaces from five heights, four times each,
 //! with known truth, one broken file, one without sound and one with the wrong ball noted.
 
-mod world;
-
 use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
 use bouncelab_audio::SampleFormat;
+use bouncelab_testkit::laboratory::Truth;
 use bouncelab_testkit::write_wav;
 use serde_json::Value;
 use tempfile::TempDir;
-use world::Truth;
 
 const BALLS: [(&str, f64); 4] = [
     ("amber", 0.0),

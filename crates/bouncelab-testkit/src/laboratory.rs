@@ -1,4 +1,4 @@
-//! A laboratory in which the truth is known.
+//! Recordings of a laboratory in which the truth is known.
 
 use std::path::Path;
 
@@ -7,30 +7,35 @@ use bouncelab::flight::FlightModel;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Noise, Scene};
 use bouncelab_audio::SampleFormat;
-use bouncelab_testkit::{bouncing, write_wav};
+
+use crate::{bouncing, write_wav};
 
 /// How a ball bounces from a surface: e = at 1 m/s times v^-p, with scatter.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Truth {
+pub struct Truth {
     /// Restitution at 1 m/s.
-    pub(crate) restitution: f64,
+    pub restitution: f64,
     /// How it falls with speed.
-    pub(crate) exponent: f64,
+    pub exponent: f64,
     /// Standard deviation of the restitution from drop to drop.
-    pub(crate) between_drops: f64,
+    pub between_drops: f64,
     /// Standard deviation of ln e from impact to impact.
-    pub(crate) between_impacts: f64,
+    pub between_impacts: f64,
 }
 
 impl Truth {
     /// The mean restitution at an impact speed.
-    pub(crate) fn at(&self, speed_m_s: f64) -> f64 {
+    pub fn at(&self, speed_m_s: f64) -> f64 {
         self.restitution * speed_m_s.powf(-self.exponent)
     }
 
     /// Writes a recording of a drop of a table-tennis ball from a height; the seed decides all that
     /// is random.
-    pub(crate) fn record(&self, path: &Path, height_m: f64, lead_in_s: f64, seed: u64) {
+    ///
+    /// # Panics
+    ///
+    /// If the file cannot be written.
+    pub fn record(&self, path: &Path, height_m: f64, lead_in_s: f64, seed: u64) {
         let strikes = self.strikes(height_m, seed);
         let scene = Scene {
             noise: Some(Noise::pink(35.0)),

@@ -11,10 +11,7 @@
 //! prints the table of `docs/validation.md` and writes `calibration.csv`, of which `cargo xtask book` draws its
 //! figure, into the folder that the second argument names. The first is the number of drops for each scenario.
 
-#![expect(clippy::print_stdout, reason = "it prints for contributors")]
-
 use std::path::PathBuf;
-use std::thread;
 
 use bouncelab::Impact;
 use bouncelab::air::Air;
@@ -22,12 +19,13 @@ use bouncelab::analysis::Options;
 use bouncelab::ball::Ball;
 use bouncelab::drag::DragLaw;
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::inference::{
-    InferenceOptions, LawKind, Measured, Posterior, Priors, SamplerConfig, infer,
-};
+use bouncelab::inference::{LawKind, Measured, Posterior, Priors, infer};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
+
+use crate::scenario::{MAX_IMPACTS, MIN_IMPACTS, REST_M_S, SHORTEST_FLIGHT_S};
+use crate::{Result, misfit, of_seeds, seeded};
 
 /// What is simulated.
 #[derive(Clone, Copy, PartialEq)]
@@ -71,16 +69,8 @@ impl Scenario {
     }
 }
 
-/// Drops end at this many impacts, or when flights get as short as this, as they do in recordings.
-const MOST_IMPACTS: usize = 40;
-const SHORTEST_FLIGHT_S: f64 = 0.05;
-/// Fewer impacts make no drop for the listener.
-const FEWEST_IMPACTS: usize = 5;
-
-/// From this launch speed on, and where flights are shorter than the contact, they are a geometric series: the ball rests.
-/// A few that keep nearly all do not.
-const REST_M_S: f64 = 0.01;
-const MOST_BOUNCES: usize = 100_000;
+/// Of the few drops that keep nearly all of their speed, some never rest.
+const MAX_BOUNCES: usize = 100_000;
 
 const DRAG: f64 = 0.4;
 const HEIGHT_SD_M: f64 = 0.002;
@@ -149,7 +139,7 @@ fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
     let mut time_s = 0.0;
     let mut last = (speed, time_s);
     let mut impacts = Vec::new();
-    for number in 1..=MOST_IMPACTS {
+    for number in 1..=MAX_IMPACTS {
         let missed = scenario == Scenario::NoisyWithGaps && rng.random::<f64>() < 0.1;
         let off = normal(rng);
         if number == 1 || !missed {
@@ -160,7 +150,7 @@ fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
         }
         let kept = restitution * (scatter * deviation(rng)).exp();
         let flight = model.launch(speed * kept).ok()?;
-        if flight.time_s() < SHORTEST_FLIGHT_S || number == MOST_IMPACTS {
+        if flight.time_s() < SHORTEST_FLIGHT_S || number == MAX_IMPACTS {
             break;
         }
         time_s += flight.time_s() + contact_s;
@@ -173,7 +163,7 @@ fn drawn(scenario: Scenario, rng: &mut ChaCha8Rng) -> Option<Drop> {
         let losses = (1.0 / restitution - 1.0) * (speed / slowest).powf(-loss_exponent);
         [1.0 / (1.0 + losses), (scatter * deviation(rng)).exp()]
     })?;
-    (impacts.len() >= FEWEST_IMPACTS).then_some(Drop {
+    (impacts.len() >= MIN_IMPACTS).then_some(Drop {
         impacts,
         restitution,
         height_m,
@@ -193,7 +183,7 @@ fn until_rest_s(
 ) -> Option<f64> {
     let resting = REST_M_S.max(0.5 * model.gravity_m_s2() * contact_s);
     let mut time_s = 0.0;
-    for _ in 0..MOST_BOUNCES {
+    for _ in 0..MAX_BOUNCES {
         let [expected, factor] = kept(speed);
         let launch = speed * expected * factor;
         let flight = model.launch(launch).ok()?;
@@ -238,20 +228,13 @@ fn ranks(scenario: Scenario, seed: u64) -> Option<Ranks> {
         });
     }
     let settings = Options::default();
-    let inference = InferenceOptions {
-        sampler: SamplerConfig {
-            seed,
-            ..SamplerConfig::default()
-        },
-        ..InferenceOptions::default()
-    };
     let found: Posterior = infer(
         &drop.impacts,
         &settings.ball,
         &environment(),
         settings.contact_time_s,
         &known,
-        &inference,
+        &seeded(seed),
     )
     .ok()?;
     let below = |draws: &[f64], truth: f64| {
@@ -266,30 +249,6 @@ fn ranks(scenario: Scenario, seed: u64) -> Option<Ranks> {
             below(&found.draws.total_time_s, drop.until_rest_s),
         ],
         converged: found.sampling.converged,
-    })
-}
-
-/// All drops of a scenario, on all cores.
-fn run(scenario: Scenario, drops: usize) -> Vec<Ranks> {
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads)
-            .map(|worker| {
-                scope.spawn(move || {
-                    // More seeds than drops, since some drops are too short.
-                    (0..)
-                        .skip(worker)
-                        .step_by(threads)
-                        .filter_map(|seed| ranks(scenario, seed))
-                        .take(drops.div_ceil(threads))
-                        .collect::<Vec<_>>()
-                })
-            })
-            .collect();
-        workers
-            .into_iter()
-            .flat_map(|worker| worker.join().unwrap_or_default())
-            .collect()
     })
 }
 
@@ -338,13 +297,19 @@ fn report(scenario: Scenario, all: &[Ranks]) -> Vec<String> {
     histograms
 }
 
-fn main() -> std::io::Result<()> {
-    let mut arguments = std::env::args().skip(1);
-    let drops = arguments
-        .next()
-        .and_then(|argument| argument.parse().ok())
-        .unwrap_or(400);
-    let folder = arguments.next().map(PathBuf::from);
+/// `calibrate [DROPS [FOLDER]]` or `calibrate scenarios ...` ([`misfit`]): prints the table.
+///
+/// # Errors
+///
+/// If the ranks cannot be written into the folder.
+pub fn run(arguments: &[String]) -> Result {
+    if let [first, others @ ..] = arguments
+        && first == "scenarios"
+    {
+        misfit::run(others);
+        return Ok(());
+    }
+    let drops = arguments.first().and_then(|argument| argument.parse().ok());
     println!(
         "| scenario | drops | quantity | % in 68 | % in 95 | chi-square of ranks | uniform (p > 0.01) | not converged |"
     );
@@ -352,11 +317,14 @@ fn main() -> std::io::Result<()> {
     let bins: Vec<String> = (1..=BINS).map(|bin| bin.to_string()).collect();
     let mut table = vec![format!("scenario,quantity,{}", bins.join(","))];
     for scenario in Scenario::ALL {
-        table.extend(report(scenario, &run(scenario, drops)));
+        // More seeds than drops, since some drops are too short.
+        let all = of_seeds(drops.unwrap_or(400), |seed| ranks(scenario, seed));
+        table.extend(report(scenario, &all));
     }
-    let Some(folder) = folder else {
+    let Some(folder) = arguments.get(1).map(PathBuf::from) else {
         return Ok(());
     };
     std::fs::create_dir_all(&folder)?;
-    std::fs::write(folder.join("calibration.csv"), table.join("\n") + "\n")
+    std::fs::write(folder.join("calibration.csv"), table.join("\n") + "\n")?;
+    Ok(())
 }

@@ -1,9 +1,9 @@
 //! Errors of the times: against the Cramer-Rao bound, against their stated standard errors, and
 //! against loudness.
 
-use crate::cells::median;
-use crate::drops::{detect, strikes, usual};
-use crate::recorder::record;
+use super::cells::median;
+use super::drops::{detect, strikes, usual};
+use super::recorder::record;
 use bouncelab::synth::{BitDepth, Scene, Voice};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;

@@ -1,0 +1,91 @@
+//! The measuring programs of `bouncelab-bench`, and the check `measurements`: those that take minutes or hours run on
+//! little.
+
+use std::process::Command;
+
+use crate::Result;
+use crate::cargo::{built, cargo, emptied, run as run_command, target};
+
+const CRATE: &str = "bouncelab-bench";
+
+/// A measuring program: `cargo xtask NAME ARGUMENTS`.
+pub(crate) struct Program {
+    pub(crate) name: &'static str,
+    pub(crate) arguments: &'static str,
+    pub(crate) about: &'static str,
+}
+
+pub(crate) const PROGRAMS: [Program; 7] = [
+    Program {
+        name: "net",
+        arguments: "[drops=1000] [sounds=FOLDER]... [out=FILE] [compare=FILE] [store=FILE]",
+        about: "Every number of simulated drops and of sounds, or how they differ from those of an earlier run",
+    },
+    Program {
+        name: "calibrate",
+        arguments: "[DROPS [FOLDER]] | scenarios [DROPS] [impacts=N] [SCENARIO...] [LAW...]",
+        about: "Infer DROPS simulated drops for each scenario, print the table, write the ranks into FOLDER; \
+                or for each scenario in which the model is not true",
+    },
+    Program {
+        name: "verdicts",
+        arguments: "[BALLS [DROPS]]",
+        about: "Measure how often verdicts on simulated balls of known rebound are wrong",
+    },
+    Program {
+        name: "balls",
+        arguments: "[DROPS]",
+        about: "Measure how often a drop shows that the stated ball is wrong",
+    },
+    Program {
+        name: "detection",
+        arguments: "[PART...] [drops=20] [hours=1] [only=SOUND] [wav=FOLDER]",
+        about: "Measure how impacts are detected in synthetic recordings: cells, timing, silence, steady",
+    },
+    Program {
+        name: "damage",
+        arguments: "[FORMAT] [quick]",
+        about: "Damage a known drop in every FORMAT at every percent in four ways; print the table",
+    },
+    Program {
+        name: "laboratory",
+        arguments: "FOLDER COUNT",
+        about: "Write COUNT recordings with known truth, to measure sessions with",
+    },
+];
+
+/// Runs a program, optimised.
+pub(crate) fn run(name: &str, arguments: &[String]) -> Result {
+    let run_it = ["run", "--release", "--package", CRATE, "--", name];
+    run_command(cargo(run_it).args(arguments))
+}
+
+/// Programs and their arguments in the check. What makes recordings comes before what takes them.
+const ON_LITTLE: [&[&str]; 8] = [
+    &["net", "drops=3"],
+    &["calibrate", "2"],
+    &["calibrate", "scenarios", "2", "true"],
+    &["balls", "1"],
+    &["damage", "wav-float", "quick"],
+    &["detection", "cells", "timing", "drops=1"],
+    &["detection", "silence", "hours=0.002"],
+    &["laboratory", "laboratory", "3"],
+];
+
+pub(crate) fn check() -> Result {
+    let folder = target().join("measurements");
+    emptied(&folder)?;
+    let program = built("--bin", CRATE)?;
+    for arguments in ON_LITTLE {
+        run_command(Command::new(&program).args(arguments).current_dir(&folder))?;
+    }
+    let mut session = Command::new(built("--bin", "bouncelab")?);
+    session.args([
+        "session",
+        "laboratory",
+        "--pattern",
+        "{ball}_{surface}_{height}_{}",
+    ]);
+    let settings = ["--ball", "table-tennis-40", "--jobs", "2", "--no-inference"];
+    run_command(session.args(settings).current_dir(&folder))
+}
