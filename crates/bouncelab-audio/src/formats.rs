@@ -61,6 +61,23 @@ struct Facts {
     codecs: &'static [&'static str],
 }
 
+/// How a container announces the length of the sound.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Length {
+    /// By the number of decoded frames, exactly.
+    Exact,
+    /// By the number of decoded frames; some encoders count the last packet as a whole one.
+    Packets,
+    /// By the number of decoded frames, in packets or milliseconds.
+    Coarse,
+    /// By a duration in milliseconds.
+    Duration,
+    /// By the number of presented frames in a tag, else only by the size of the file.
+    Tag,
+    /// Only by the size of the file.
+    Estimate,
+}
+
 /// What the chunks of WAV, AIFF and CAF hold.
 const SAMPLES: [&str; 4] = [
     "integers of 8 to 32 bits",
@@ -216,6 +233,18 @@ impl SoundFormat {
     /// Whether each packet has a time of its own, by which lost sound is noticed.
     pub(crate) fn has_clock(self) -> bool {
         self.has_edit_lists() || matches!(self, Self::Flac | Self::WebM | Self::Matroska)
+    }
+
+    /// How the length of the sound is announced.
+    pub(crate) fn length(self) -> Length {
+        match self {
+            Self::Wav | Self::Aiff | Self::Flac => Length::Exact,
+            Self::Caf => Length::Packets,
+            Self::Mp3 => Length::Tag,
+            Self::Aac => Length::Estimate,
+            Self::WebM | Self::Matroska => Length::Duration,
+            Self::Ogg | Self::Mp4 | Self::M4a | Self::Mov => Length::Coarse,
+        }
     }
 
     /// Whether the file is read from front to back, as a stream of unknown length: the demuxers of these formats

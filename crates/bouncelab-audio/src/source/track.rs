@@ -20,7 +20,7 @@ use super::lost::{Clock, Lost};
 use super::presentation::Presentation;
 use crate::contain::{contain_decoder, is_panic};
 use crate::error::{Error, Result};
-use crate::formats::SoundFormat;
+use crate::formats::{Length, SoundFormat};
 use crate::problem::{MissingContent, Stage};
 
 pub(super) struct Track {
@@ -188,25 +188,23 @@ impl Track {
         /// Tolerance in seconds, where headers count packets or milliseconds.
         const COARSE_S: f64 = 0.05;
         let media = self.reader.media_info();
-        let frames = match self.container {
-            // Counted in presented time.
-            SoundFormat::Mp3 | SoundFormat::Aac => self.info.num_frames,
-            SoundFormat::WebM | SoundFormat::Matroska => {
-                frames_lasting(layout, media.time_base, media.duration)
-            }
-            // Counted in decoded time.
-            _ => self
+        let length = self.container.length();
+        let frames = match length {
+            Length::Tag | Length::Estimate => self.info.num_frames,
+            Length::Duration => frames_lasting(layout, media.time_base, media.duration),
+            Length::Exact | Length::Packets | Length::Coarse => self
                 .info
                 .num_frames
                 .or_else(|| frames_lasting(layout, self.info.time_base, self.info.duration))
                 .map(|decoded| presented.count(decoded)),
         };
-        let tolerance_s = match self.container {
-            SoundFormat::Mp3 => self.info.delay.map(|_| COARSE_S),
-            SoundFormat::Aac => None,
-            SoundFormat::Wav | SoundFormat::Aiff | SoundFormat::Flac => Some(0.0),
-            SoundFormat::Caf => Some(self.packet_s()),
-            _ => Some(COARSE_S),
+        let tolerance_s = match length {
+            Length::Exact => Some(0.0),
+            Length::Packets => Some(self.packet_s()),
+            Length::Coarse | Length::Duration => Some(COARSE_S),
+            // Only the tag states a delay.
+            Length::Tag => self.info.delay.map(|_| COARSE_S),
+            Length::Estimate => None,
         };
         // A file that was written as a stream announces no length, for which some demuxers return zero.
         let frames = frames.filter(|frames| *frames > 0)?;
