@@ -7,7 +7,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use bouncelab_audio::{SampleFormat, Source, encode_wav};
+use bouncelab_audio::{SampleFormat, SoundReader, encode_wav};
 use divan::Bencher;
 use divan::counter::ItemsCount;
 
@@ -23,7 +23,8 @@ fn fixture(name: &str) -> Arc<[u8]> {
 }
 
 fn count_samples(bytes: &Arc<[u8]>) -> usize {
-    let mut source = Source::from_bytes(Arc::clone(bytes), "bench").expect("fixtures are sound");
+    let mut source =
+        SoundReader::from_bytes(Arc::clone(bytes), "bench").expect("fixtures are sound");
     let mut samples = 0;
     while let Some(block) = source.next_block().expect("memory can be read") {
         samples += block.frames() * block.channels();

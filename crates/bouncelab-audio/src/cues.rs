@@ -7,8 +7,8 @@ use std::io::{BufWriter, Seek, Write};
 
 use crate::error::{Error, Result};
 use crate::lost_chunk;
-use crate::source::Source;
-use crate::wav::{Layout, MAX_DATA_LEN, SampleFormat, TOO_LONG, chunk};
+use crate::source::SoundReader;
+use crate::wav::{MAX_DATA_LEN, SampleFormat, TOO_LONG, WavLayout, chunk};
 
 /// A marker in a sound.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,28 +24,32 @@ pub struct Cue {
 ///
 /// ```
 /// use std::io::Cursor;
-/// use bouncelab_audio::{Cue, Source, copy_with_cues};
+/// use bouncelab_audio::{Cue, SoundReader, copy_with_cues};
 ///
 /// # let wav = include_bytes!("../tests/fixtures/pcm16.wav").to_vec();
-/// let mut source = Source::from_bytes(wav, "clicks.wav")?;
+/// let mut source = SoundReader::from_bytes(wav, "clicks.wav")?;
 /// let mut copy = Cursor::new(Vec::new());
 /// let cue = Cue { time_s: 0.1, text: "1".to_owned() };
 /// copy_with_cues(&mut source, &mut copy, &[cue])?;
-/// assert!(Source::from_bytes(copy.into_inner(), "marked.wav")?.duration_s() > Some(0.1));
+/// assert!(SoundReader::from_bytes(copy.into_inner(), "marked.wav")?.duration_s() > Some(0.1));
 /// # Ok::<(), bouncelab_audio::Error>(())
 /// ```
 ///
 /// # Errors
 ///
-/// Those of [`Source::next_block`], [`Error::Unwritable`] if the copy would exceed 4 GB or a marker lies outside the
+/// Those of [`SoundReader::next_block`], [`Error::Unwritable`] if the copy would exceed 4 GB or a marker lies outside the
 /// sound, [`Error::Io`] if it cannot be written.
-pub fn copy_with_cues(source: &mut Source, copy: impl Write + Seek, cues: &[Cue]) -> Result<()> {
+pub fn copy_with_cues(
+    source: &mut SoundReader,
+    copy: impl Write + Seek,
+    cues: &[Cue],
+) -> Result<()> {
     let name = format!("copy of {}", source.name());
     let failed = |reason| Error::io(&name, reason);
     let refused = |problem: &str| Error::unwritable(&name, problem);
     let format = SampleFormat::Float32;
     let (rate_hz, channels) = (source.sample_rate_hz(), source.channels());
-    let layout = Layout::new(&name, rate_hz, channels, format)?;
+    let layout = WavLayout::new(&name, rate_hz, channels, format)?;
     let mut copy = BufWriter::new(copy);
     copy.write_all(&layout.header(0, 0)).map_err(failed)?;
     let mut frames = 0;

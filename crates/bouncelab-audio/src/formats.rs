@@ -1,7 +1,7 @@
 //! The formats of sound files that are read: their only list.
 //!
 //! Errors, the help of the program, sessions, the page, fuzz tests and documents take names, endings and codecs from
-//! here, and [`Source`](crate::Source) how a format is recognised and read.
+//! here, and [`SoundReader`](crate::SoundReader) how a format is recognised and read.
 
 use symphonia::core::errors::Result as SymphoniaResult;
 use symphonia::core::formats::{FormatOptions, FormatReader};

@@ -6,7 +6,7 @@ use bouncelab::analysis::Plan;
 use bouncelab::{Detector, Options, Plain};
 
 use crate::error::{Error, Result};
-use crate::source::Source;
+use crate::source::SoundReader;
 use crate::times;
 use crate::warning::Warning;
 use crate::waveform::Waveform;
@@ -15,7 +15,7 @@ use crate::waveform::Waveform;
 #[derive(Debug)]
 pub enum Input {
     /// A recording, opened.
-    Sound(Box<Source>),
+    Sound(Box<SoundReader>),
     /// Impact times in seconds, strictly increasing.
     Times(Vec<f64>),
 }
@@ -27,34 +27,34 @@ impl Input {
     ///
     /// # Errors
     ///
-    /// Those of [`times::read`] and [`Source::open`].
+    /// Those of [`times::read`] and [`SoundReader::open`].
     pub fn open(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         if times::is_list(&path.to_string_lossy()) {
             let name = String::from(Plain::path(path));
             return Self::of_text(&times::bytes(path)?, &name);
         }
-        Source::open(path).map(|source| Self::Sound(Box::new(source)))
+        SoundReader::open(path).map(|source| Self::Sound(Box::new(source)))
     }
 
     /// As [`Input::open`], for content in memory.
     ///
     /// # Errors
     ///
-    /// Those of [`times::parse`] and [`Source::from_bytes`].
+    /// Those of [`times::parse`] and [`SoundReader::from_bytes`].
     pub fn from_bytes(bytes: impl Into<Arc<[u8]>>, name: &str) -> Result<Self> {
         let bytes = bytes.into();
         if times::is_list(name) {
             return Self::of_text(&bytes, name);
         }
-        Source::from_bytes(bytes, name).map(|source| Self::Sound(Box::new(source)))
+        SoundReader::from_bytes(bytes, name).map(|source| Self::Sound(Box::new(source)))
     }
 
     /// As [`Input::open`], for anything that can be read and searched; its end is the end of the content.
     ///
     /// # Errors
     ///
-    /// Those of [`times::parse`] and [`Source::from_reader`].
+    /// Those of [`times::parse`] and [`SoundReader::from_reader`].
     pub fn from_reader<R>(reader: R, name: &str) -> Result<Self>
     where
         R: Read + Seek + Send + Sync + 'static,
@@ -62,7 +62,7 @@ impl Input {
         if times::is_list(name) {
             return Self::of_text(&times::bytes_of(reader, name)?, name);
         }
-        Source::from_reader(reader, name).map(|source| Self::Sound(Box::new(source)))
+        SoundReader::from_reader(reader, name).map(|source| Self::Sound(Box::new(source)))
     }
 
     /// Reads a text as a sampled waveform if it is a table of one, else as a list of times.
@@ -81,7 +81,7 @@ impl Input {
     ///
     /// # Errors
     ///
-    /// Those of [`Source::next_block`] and [`Detector::with_options`], and those of `watch`.
+    /// Those of [`SoundReader::next_block`] and [`Detector::with_options`], and those of `watch`.
     ///
     /// ```
     /// use bouncelab::Options;

@@ -1,6 +1,6 @@
 //! Reads files and microphones as samples.
 //!
-//! [`Source`] reads a recording of nearly any format as a stream of blocks of `f32` samples, in
+//! [`SoundReader`] reads a recording of nearly any format as a stream of blocks of `f32` samples, in
 //! memory that does not grow with its length; [`times`] reads impact times that something else
 //! measured; [`Input`] takes either. [`encode_wav`] encodes a synthesised recording,
 //! [`copy_with_cues`] a copy of a recording with its impacts marked, a [`Recorder`]
@@ -9,14 +9,14 @@
 //! [`SoundFormat`] lists the formats and the codecs that are decoded in each, such as AAC in M4A and Opus in `WebM`.
 //! Not decoded are HE-AAC, surround Opus, ADPCM, AC-3 and WMA; the error states the codec and how to convert the file.
 //!
-//! What a program needs to know of a damaged recording is in [`Source::warnings`]; what makes it
+//! What a program needs to know of a damaged recording is in [`SoundReader::warnings`]; what makes it
 //! useless is an [`Error`]. No content of a file, however broken, makes this crate panic.
 //!
 //! Opus is decoded by opus-pure, whose samples are those of libopus; ffmpeg's own Opus decoder
 //! differs from both in speech modes.
 //!
 //! Only the microphone starts a thread; without that feature the crate builds for wasm32, where
-//! [`Source::from_bytes`] and [`Input::from_bytes`] take the place of files.
+//! [`SoundReader::from_bytes`] and [`Input::from_bytes`] take the place of files.
 
 #![warn(missing_docs)]
 
@@ -47,7 +47,7 @@ pub use input::Input;
 pub use problem::{LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem};
 pub use recorder::{Recorder, Store};
 pub use source::{
-    Block, MAX_BLOCK_FRAMES, MAX_SAMPLE_RATE_HZ, MIN_SAMPLE_RATE_HZ, Source, check_layout,
+    Block, MAX_BLOCK_FRAMES, MAX_SAMPLE_RATE_HZ, MIN_SAMPLE_RATE_HZ, SoundReader, check_layout,
 };
 pub use warning::Warning;
 pub use wav::{SampleFormat, encode_wav};

@@ -9,7 +9,7 @@ use bouncelab::analysis::Gap;
 
 use crate::error::{Error, Result};
 use crate::lost_chunk;
-use crate::wav::{self, Layout, MAX_DATA_LEN, SampleFormat, TOO_LONG, chunk};
+use crate::wav::{self, MAX_DATA_LEN, SampleFormat, TOO_LONG, WavLayout, chunk};
 
 /// The length of the header in bytes: one page, which a disk writes as a whole or not at all. The part that the fields of
 /// a WAV leave holds the places where sound was lost.
@@ -24,24 +24,24 @@ const MAX_GAPS: usize = (HEADER_LEN - wav::HEADER_LEN as usize - 2 * 8) / lost_c
 /// after a crash of the program or a loss of power, or on a full disk, the file is a valid recording that lacks at most
 /// the last two seconds, and its header never counts sound that is missing.
 /// [`Recorder::finish`] writes the rest and waits for the disk. The header also states where sound was lost
-/// ([`Recorder::note_gap`]), which [`Source`](crate::Source) reads back.
+/// ([`Recorder::note_gap`]), which [`SoundReader`](crate::SoundReader) reads back.
 ///
 /// ```
-/// use bouncelab_audio::{Recorder, SampleFormat, Source};
+/// use bouncelab_audio::{Recorder, SampleFormat, SoundReader};
 ///
 /// let path = std::env::temp_dir().join(format!("bouncelab-{}.wav", std::process::id()));
 /// let mut recorder = Recorder::create(&path, 44_100, 1, SampleFormat::Int16)?;
 /// recorder.push(&[&[0.5; 1000]])?;
 /// recorder.push(&[&[0.25; 1000]])?;
 /// recorder.finish()?;
-/// assert_eq!(Source::open(&path)?.duration_s(), Some(2000.0 / 44_100.0));
+/// assert_eq!(SoundReader::open(&path)?.duration_s(), Some(2000.0 / 44_100.0));
 /// # std::fs::remove_file(&path).unwrap();
 /// # Ok::<(), bouncelab_audio::Error>(())
 /// ```
 #[derive(Debug)]
 pub struct Recorder<W: Store = File> {
     name: String,
-    layout: Layout,
+    layout: WavLayout,
     file: W,
     /// Encoded samples that were not written yet.
     waiting: Vec<u8>,
@@ -86,7 +86,7 @@ impl Recorder {
     ) -> Result<Self> {
         let path = path.as_ref();
         let name = String::from(Plain::path(path));
-        let layout = Layout::new(&name, sample_rate_hz, channels, format)?;
+        let layout = WavLayout::new(&name, sample_rate_hz, channels, format)?;
         let file = File::options().write(true).create_new(true).open(path);
         file.and_then(|file| Self::start(&name, layout, file))
             .map_err(|reason| Error::io(&name, reason))
@@ -109,7 +109,7 @@ impl Recorder {
 }
 
 impl<W: Store> Recorder<W> {
-    fn start(name: &str, layout: Layout, file: W) -> io::Result<Self> {
+    fn start(name: &str, layout: WavLayout, file: W) -> io::Result<Self> {
         let mut recorder = Self {
             name: name.to_owned(),
             layout,
@@ -279,7 +279,7 @@ mod tests {
     use std::io::Cursor;
 
     use super::*;
-    use crate::{Source, Warning};
+    use crate::{SoundReader, Warning};
 
     /// A disk with a capacity in bytes, on which written bytes can be overwritten.
     struct Disk {
@@ -322,14 +322,14 @@ mod tests {
             content: Cursor::default(),
             capacity,
         };
-        let layout = Layout::new("test", RATE_HZ, channels, format).unwrap();
+        let layout = WavLayout::new("test", RATE_HZ, channels, format).unwrap();
         Recorder::start("test", layout, disk).unwrap()
     }
 
     /// The samples of the first channel that a reader gets now.
     fn read(recorder: &Recorder<Disk>) -> Vec<f32> {
         let bytes = recorder.file.content.get_ref().clone();
-        let mut source = Source::from_bytes(bytes, "test.wav").unwrap();
+        let mut source = SoundReader::from_bytes(bytes, "test.wav").unwrap();
         let mut samples = Vec::new();
         while let Some(block) = source.next_block().unwrap() {
             samples.extend_from_slice(block.channel(0));
@@ -413,7 +413,7 @@ mod tests {
             let bytes = recorder.file.content.get_ref().clone();
             let stated = u32::from_le_bytes(*bytes[4..].first_chunk().unwrap());
             assert_eq!(stated as usize + 8, bytes.len());
-            let source = Source::from_bytes(bytes, "test.wav").unwrap();
+            let source = SoundReader::from_bytes(bytes, "test.wav").unwrap();
             assert_eq!(source.gaps(), expected);
             assert_eq!(source.warnings().len(), expected.len());
         }
@@ -431,7 +431,7 @@ mod tests {
         (0..=MAX_GAPS).for_each(|number| recorder.note_gap(gap(number)));
         recorder.push(&[&ramp(24 * 8_000)]).unwrap();
         let bytes = recorder.file.content.get_ref().clone();
-        let source = Source::from_bytes(bytes, "test.wav").unwrap();
+        let source = SoundReader::from_bytes(bytes, "test.wav").unwrap();
         let (last, before) = source.gaps().split_last().unwrap();
         let expected: Vec<Gap> = (0..MAX_GAPS - 1).map(gap).collect();
         assert_eq!(before, expected);
@@ -513,7 +513,7 @@ mod tests {
         };
         // No sample is zero, so that a page that was never written, which has zeros, is recognised.
         let sound: Vec<f32> = ramp(36_001)[1..].iter().map(|it| it / 2.0).collect();
-        let layout = Layout::new("test", RATE_HZ, 1, SampleFormat::Int24).unwrap();
+        let layout = WavLayout::new("test", RATE_HZ, 1, SampleFormat::Int24).unwrap();
         let mut recorder = Recorder::start("test", layout, Log::default()).unwrap();
         for (number, block) in sound.chunks(1_000).enumerate() {
             if number == 12 {
@@ -569,7 +569,7 @@ mod tests {
     /// The file is the beginning of the recording, at least its `certain` frames, with the place where sound was
     /// lost; or it is reported as cut short, or cannot be read.
     fn assert_is_beginning(left: Vec<u8>, certain: usize, sound: &[f32], lost: Gap) {
-        let Ok(mut source) = Source::from_bytes(left, "test.wav") else {
+        let Ok(mut source) = SoundReader::from_bytes(left, "test.wav") else {
             assert_eq!(certain, 0);
             return;
         };

@@ -3,8 +3,8 @@ use bouncelab::diagnostic::{Code, Diagnostic};
 
 /// Damage in a recording that could be read nevertheless.
 ///
-/// A [`Source`](crate::Source) collects warnings while it is read; the list is complete once
-/// [`next_block`](crate::Source::next_block) has returned `None`. Times are in seconds of the
+/// A [`SoundReader`](crate::SoundReader) collects warnings while it is read; the list is complete once
+/// [`next_block`](crate::SoundReader::next_block) has returned `None`. Times are in seconds of the
 /// presented sound, as everywhere in this crate.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]

@@ -73,7 +73,7 @@ pub fn encode_wav(
 
 /// A sound that fits into a WAV file.
 struct Sound<'a> {
-    layout: Layout,
+    layout: WavLayout,
     channels: &'a [&'a [f32]],
     /// The size of all samples.
     data_len: u32,
@@ -86,7 +86,7 @@ impl<'a> Sound<'a> {
         format: SampleFormat,
         channels: &'a [&'a [f32]],
     ) -> Result<Self> {
-        let layout = Layout::new(name, sample_rate_hz, channels.len(), format)?;
+        let layout = WavLayout::new(name, sample_rate_hz, channels.len(), format)?;
         let frames = channels[0].len();
         if let Some(other) = channels.iter().find(|channel| channel.len() != frames) {
             let problem = format!("channels of {frames} and {} samples", other.len());
@@ -142,13 +142,13 @@ pub(crate) const TOO_LONG: &str = "a WAV file cannot hold more than 4 GB";
 
 /// The layout of samples in a header: the rate is above zero, and a frame has 1 to 65535 bytes.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Layout {
+pub(crate) struct WavLayout {
     pub(crate) sample_rate_hz: u32,
     pub(crate) channels: u16,
     pub(crate) format: SampleFormat,
 }
 
-impl Layout {
+impl WavLayout {
     /// The layout of a file of this name, for messages.
     pub(crate) fn new(
         name: &str,

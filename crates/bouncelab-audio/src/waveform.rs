@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 use crate::error::{Error, Result};
 use crate::problem::TimesProblem;
-use crate::source::Source;
+use crate::source::SoundReader;
 use crate::times::heading::seconds;
 use crate::wav::{SampleFormat, encode_wav};
 
@@ -67,7 +67,7 @@ impl Waveform {
     }
 
     /// The sound, scaled down to full scale if it is louder: the unit of a voltage or an app has no relation to it.
-    pub(crate) fn source(mut self, name: &str) -> Result<Source> {
+    pub(crate) fn source(mut self, name: &str) -> Result<SoundReader> {
         let samples = || self.channels.iter().flatten();
         let peak = samples().fold(1.0, |peak: f32, sample| peak.max(sample.abs()));
         for sample in self.channels.iter_mut().flatten() {
@@ -77,7 +77,7 @@ impl Waveform {
         let channels: Vec<&[f32]> = self.channels.iter().map(Vec::as_slice).collect();
         let wav = encode_wav(self.sample_rate_hz, SampleFormat::Float32, &channels)?;
         let wav: Arc<[u8]> = wav.into();
-        Ok(Source::from_bytes(wav, name)?.described_as("waveform in text"))
+        Ok(SoundReader::from_bytes(wav, name)?.described_as("waveform in text"))
     }
 }
 

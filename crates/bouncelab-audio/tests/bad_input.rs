@@ -8,7 +8,7 @@ use std::path::PathBuf;
 #[cfg(unix)]
 use std::process::Command;
 
-use bouncelab_audio::{Error, Input, SampleFormat, Source, Warning, encode_wav};
+use bouncelab_audio::{Error, Input, SampleFormat, SoundReader, Warning, encode_wav};
 
 fn fixture(name: &str) -> Vec<u8> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/fixtures");
@@ -16,12 +16,12 @@ fn fixture(name: &str) -> Vec<u8> {
 }
 
 fn refusal(bytes: impl Into<Vec<u8>>, name: &str) -> Error {
-    Source::from_bytes(bytes.into(), name).expect_err(name)
+    SoundReader::from_bytes(bytes.into(), name).expect_err(name)
 }
 
 /// Seconds that can be read, and the warnings.
 fn salvage(bytes: Vec<u8>, name: &str) -> (f64, Vec<Warning>) {
-    let mut source = Source::from_bytes(bytes, name).unwrap();
+    let mut source = SoundReader::from_bytes(bytes, name).unwrap();
     let mut frames = 0;
     while let Some(block) = source.next_block().unwrap() {
         frames += block.frames();
@@ -62,7 +62,7 @@ impl Seek for Pipe {
 
 #[test]
 fn the_refusal_of_a_pipe_states_what_to_do() {
-    let refusal = Source::from_reader(Pipe, "/dev/stdin").unwrap_err();
+    let refusal = SoundReader::from_reader(Pipe, "/dev/stdin").unwrap_err();
     let message = refusal.to_string();
     assert!(message.contains("save it as a file first"), "{message}");
 }
@@ -202,10 +202,10 @@ fn a_pipe_is_refused_before_anybody_writes() {
     let pipe = std::env::temp_dir().join(format!("bouncelab-pipe-{}.wav", std::process::id()));
     let made = Command::new("mkfifo").arg(&pipe).status().unwrap();
     assert!(made.success());
-    let refused = Source::open(&pipe).map(drop).unwrap_err();
+    let refused = SoundReader::open(&pipe).map(drop).unwrap_err();
     fs::remove_file(&pipe).unwrap();
     assert!(matches!(refused, Error::Pipe { .. }), "{refused}");
-    let refused = Source::open("/dev/zero").map(drop).unwrap_err();
+    let refused = SoundReader::open("/dev/zero").map(drop).unwrap_err();
     assert!(matches!(refused, Error::Pipe { .. }), "{refused}");
 }
 

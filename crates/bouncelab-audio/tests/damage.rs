@@ -4,7 +4,7 @@
 use bouncelab::Options;
 use bouncelab::analysis::Gap;
 use bouncelab::diagnostic::Code;
-use bouncelab_audio::{Source, Warning};
+use bouncelab_audio::{SoundReader, Warning};
 use bouncelab_testkit::damage::{Damage, Verdict, analyse, files, is_warned, judge, words};
 
 #[test]
@@ -29,7 +29,7 @@ fn no_damage_makes_a_wrong_result_that_looks_right() {
 
 /// How long the sound of a file is, and where it lacks some.
 fn read(file: &[u8], name: &str) -> (f64, Vec<Gap>) {
-    let mut source = Source::from_bytes(file, name).expect(name);
+    let mut source = SoundReader::from_bytes(file, name).expect(name);
     let mut frames = 0;
     while let Some(block) = source.next_block().expect(name) {
         assert_eq!(block.start_frame(), frames, "{name}");
@@ -111,7 +111,7 @@ fn a_flac_with_a_wrong_checksum_is_reported_as_altered() {
         .unwrap();
     // The checksum is the end of the first block, which has 34 bytes behind marker and header.
     file[8 + 33] ^= 1;
-    let mut source = Source::from_bytes(file, &name).unwrap();
+    let mut source = SoundReader::from_bytes(file, &name).unwrap();
     while source.next_block().unwrap().is_some() {}
     let read_s = source.duration_s().unwrap();
     assert_eq!(source.warnings(), [Warning::Altered { read_s }]);
@@ -123,7 +123,7 @@ fn an_mp3_with_a_wrong_checksum_is_reported_as_altered() {
     for name in ["constant.mp3", "variable.mp3"] {
         let mut file = files().into_iter().find(|it| it.0 == name).unwrap().1;
         let warnings = |file: &[u8]| {
-            let mut source = Source::from_bytes(file, name).unwrap();
+            let mut source = SoundReader::from_bytes(file, name).unwrap();
             while source.next_block().unwrap().is_some() {}
             (source.warnings().to_vec(), source.duration_s().unwrap())
         };

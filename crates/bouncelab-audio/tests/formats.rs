@@ -9,7 +9,7 @@ mod clicks;
 use std::fs;
 use std::path::PathBuf;
 
-use bouncelab_audio::{SoundFormat, Source, Warning};
+use bouncelab_audio::{SoundFormat, SoundReader, Warning};
 use clicks::{TIMES_S, click, signal};
 
 fn fixture(name: &str) -> PathBuf {
@@ -19,8 +19,8 @@ fn fixture(name: &str) -> PathBuf {
 }
 
 /// All samples of all channels, and the source at its end.
-fn decode(name: &str) -> (Vec<Vec<f32>>, Source) {
-    let mut source = Source::open(fixture(name)).unwrap();
+fn decode(name: &str) -> (Vec<Vec<f32>>, SoundReader) {
+    let mut source = SoundReader::open(fixture(name)).unwrap();
     let mut channels = vec![Vec::new(); source.channels()];
     while let Some(block) = source.next_block().unwrap() {
         assert_eq!(block.channels(), channels.len(), "{name}");
@@ -157,7 +157,7 @@ fn the_priming_that_a_caf_file_names_is_left_out() {
     let presented = table + 8;
     caf[presented..presented + 8].copy_from_slice(&4_700_i64.to_be_bytes());
     caf[presented + 8..presented + 12].copy_from_slice(&100_i32.to_be_bytes());
-    let mut source = Source::from_bytes(caf, "primed.caf").unwrap();
+    let mut source = SoundReader::from_bytes(caf, "primed.caf").unwrap();
     assert_eq!(source.format(), "ALAC in CAF");
     let mut samples = Vec::new();
     while let Some(block) = source.next_block().unwrap() {
@@ -185,7 +185,7 @@ fn formats_that_do_not_name_their_priming_are_late_by_all_of_it() {
 #[test]
 fn a_source_can_move_to_another_thread() {
     fn sendable<T: Send + Sync>() {}
-    sendable::<Source>();
+    sendable::<SoundReader>();
 }
 
 #[test]
@@ -206,7 +206,7 @@ fn what_is_not_a_number_becomes_zero_and_is_counted() {
     ] {
         wav[data + 4 * frame..][..4].copy_from_slice(&bad.to_le_bytes());
     }
-    let mut source = Source::from_bytes(wav, "holes.wav").unwrap();
+    let mut source = SoundReader::from_bytes(wav, "holes.wav").unwrap();
     while let Some(block) = source.next_block().unwrap() {
         assert!(block.channel(0).iter().all(|sample| sample.is_finite()));
     }
@@ -219,7 +219,7 @@ fn what_is_not_a_number_becomes_zero_and_is_counted() {
     );
 }
 
-/// Codecs as `Source::format` names them, and as the list of formats does.
+/// Codecs as `SoundReader::format` names them, and as the list of formats does.
 const CODECS: [(&str, &str); 3] = [
     ("-bit float", "floating point"),
     ("-bit", "integers"),
@@ -242,14 +242,14 @@ fn matroska(webm: &[u8]) -> Vec<u8> {
 #[test]
 fn the_list_of_formats_is_what_is_decoded() {
     let files = fs::read_dir(fixture("")).unwrap();
-    let mut sources: Vec<Source> = files
-        .filter_map(|file| Source::open(file.unwrap().path()).ok())
+    let mut sources: Vec<SoundReader> = files
+        .filter_map(|file| SoundReader::open(file.unwrap().path()).ok())
         .collect();
     let matroska = matroska(&fs::read(fixture("opus.webm")).unwrap());
-    sources.push(Source::from_bytes(matroska, "opus.mkv").unwrap());
+    sources.push(SoundReader::from_bytes(matroska, "opus.mkv").unwrap());
     for format in SoundFormat::ALL {
         let name = format.name();
-        let descriptions = sources.iter().map(Source::format);
+        let descriptions = sources.iter().map(SoundReader::format);
         let own: Vec<String> = descriptions
             .filter(|description| description.ends_with(name))
             .collect();

@@ -9,7 +9,7 @@ use std::iter;
 use bouncelab::analysis::{Plan, analyze_impacts, impacts_of_times};
 use bouncelab::inference::LawKind;
 use bouncelab::{Detector, Options};
-use bouncelab_audio::{Error, Input, Source, TimesProblem};
+use bouncelab_audio::{Error, Input, SoundReader, TimesProblem};
 use bouncelab_testkit::hostile;
 use cap::Cap;
 
@@ -90,7 +90,7 @@ impl Seek for Repeated {
     }
 }
 
-fn plan(source: Source) -> Result<Plan, Box<dyn std::error::Error>> {
+fn plan(source: SoundReader) -> Result<Plan, Box<dyn std::error::Error>> {
     let input = Input::Sound(Box::new(source));
     input.plan(&Options::default(), |_| Ok(()))
 }
@@ -101,7 +101,7 @@ fn sound_of_any_rate_and_number_of_channels_fits() {
     // Long enough to fill what is remembered.
     for (sample_rate_hz, channels, seconds) in [(48_000, 8, 100), (192_000, 2, 190)] {
         let noise = Repeated::noise(sample_rate_hz, channels, seconds);
-        let source = Source::from_reader(noise, "noise.wav").unwrap();
+        let source = SoundReader::from_reader(noise, "noise.wav").unwrap();
         assert_eq!(source.channels(), usize::from(channels));
         assert!(plan(source).is_ok());
     }
@@ -112,14 +112,14 @@ fn sound_of_any_rate_and_number_of_channels_fits() {
 fn a_small_file_that_claims_much_fits() {
     let flac = hostile::flac(655_350, 8, 0..200);
     assert!(flac.len() < 1 << 13);
-    let source = Source::from_bytes(flac, "small.flac").unwrap();
+    let source = SoundReader::from_bytes(flac, "small.flac").unwrap();
     assert_eq!((source.sample_rate_hz(), source.channels()), (655_350, 8));
     assert!(plan(source).is_ok());
 }
 
 #[test]
 fn more_channels_than_fit_are_refused_by_name() {
-    let source = Source::from_reader(Repeated::noise(10_000_000, 16, 1), "many.wav").unwrap();
+    let source = SoundReader::from_reader(Repeated::noise(10_000_000, 16, 1), "many.wav").unwrap();
     let refused = plan(source).unwrap_err();
     let refused = refused.downcast_ref::<bouncelab::Error>();
     let expected = bouncelab::diagnostic::Code::TooManyChannels;
@@ -133,7 +133,7 @@ fn more_channels_than_fit_are_refused_by_name() {
 #[test]
 fn listening_takes_no_second_memory() {
     let noise = Repeated::noise(96_000, 2, 180);
-    let mut source = Source::from_reader(noise, "noise.wav").unwrap();
+    let mut source = SoundReader::from_reader(noise, "noise.wav").unwrap();
     let mut detector = Detector::new(96_000, 2);
     while let Some(block) = source.next_block().unwrap() {
         detector.push(&[block.channel(0), block.channel(1)]);
@@ -161,7 +161,7 @@ fn no_more_samples_are_read_than_a_day_of_a_recorder_has() {
 
 /// The maximum duration in minutes, by the refusal of a recording.
 fn most_minutes(flac: Vec<u8>) -> u32 {
-    let mut source = Source::from_bytes(flac, "long.flac").unwrap();
+    let mut source = SoundReader::from_bytes(flac, "long.flac").unwrap();
     loop {
         match source.next_block() {
             Ok(block) => assert!(block.is_some(), "it has an end"),

@@ -1,6 +1,6 @@
 //! Recordings from the wild, kept outside the project. `BOUNCELAB_RECORDINGS` names their folder.
 
-use bouncelab_audio::Source;
+use bouncelab_audio::SoundReader;
 use bouncelab_testkit::recordings;
 
 /// File, what it is, rate, channels, and frames as ffmpeg 5.1 decodes them. ffmpeg does not cut
@@ -24,7 +24,7 @@ const RECORDINGS: [(&str, &str, u32, usize, u64); 6] = [
 #[ignore = "reads the recordings in BOUNCELAB_RECORDINGS"]
 fn recordings_have_the_length_that_other_players_give() {
     for (name, format, rate, channels, frames) in RECORDINGS {
-        let mut source = Source::open(recordings().join(name)).unwrap();
+        let mut source = SoundReader::open(recordings().join(name)).unwrap();
         let mut count = 0;
         while let Some(block) = source.next_block().unwrap() {
             count += block.frames() as u64;

@@ -8,7 +8,7 @@ use std::alloc::System;
 use std::fs;
 use std::path::PathBuf;
 
-use bouncelab_audio::{SampleFormat, Source, encode_wav, times};
+use bouncelab_audio::{SampleFormat, SoundReader, encode_wav, times};
 use cap::Cap;
 
 const MEMORY_LIMIT: usize = 256 << 20;
@@ -37,7 +37,7 @@ fn fixtures() -> Vec<(String, Vec<u8>)> {
 
 /// Reads all there is; the samples must be numbers, and few.
 fn exhaust(bytes: Vec<u8>, what: &str) {
-    let Ok(mut source) = Source::from_bytes(bytes, what) else {
+    let Ok(mut source) = SoundReader::from_bytes(bytes, what) else {
         return;
     };
     let limit = (MAX_SECONDS * f64::from(source.sample_rate_hz())) as u64;
@@ -138,7 +138,7 @@ fn memory_does_not_grow_with_the_length() {
     let wav = encode_wav(44_100, SampleFormat::Int16, &[&sound, &sound]).unwrap();
     drop((second, sound));
     let before = ALLOCATOR.allocated();
-    let mut source = Source::from_bytes(wav, "long.wav").unwrap();
+    let mut source = SoundReader::from_bytes(wav, "long.wav").unwrap();
     let mut most = 0;
     while source.next_block().unwrap().is_some() {
         most = most.max(ALLOCATOR.allocated());

@@ -4,7 +4,9 @@ use std::fs;
 use std::io::Cursor;
 use std::path::PathBuf;
 
-use bouncelab_audio::{Cue, Error, Recorder, SampleFormat, Source, copy_with_cues, encode_wav};
+use bouncelab_audio::{
+    Cue, Error, Recorder, SampleFormat, SoundReader, copy_with_cues, encode_wav,
+};
 
 /// A folder of its own for each test, removed at the end.
 struct Folder(PathBuf);
@@ -24,7 +26,7 @@ impl Drop for Folder {
     }
 }
 
-fn read(mut source: Source) -> Vec<Vec<f32>> {
+fn read(mut source: SoundReader) -> Vec<Vec<f32>> {
     let mut channels = vec![Vec::new(); source.channels()];
     while let Some(block) = source.next_block().unwrap() {
         for (number, samples) in channels.iter_mut().enumerate() {
@@ -49,7 +51,7 @@ fn every_format_returns_what_was_written_to_half_a_step() {
         (SampleFormat::Float32, "32-bit float WAV", 0.0),
     ] {
         let wav = encode_wav(22_050, format, &[&left, &right]).unwrap();
-        let source = Source::from_bytes(wav, "sound.wav").unwrap();
+        let source = SoundReader::from_bytes(wav, "sound.wav").unwrap();
         assert_eq!(source.format(), name);
         assert_eq!(source.sample_rate_hz(), 22_050);
         let channels = read(source);
@@ -68,7 +70,7 @@ fn every_format_returns_what_was_written_to_half_a_step() {
 #[test]
 fn integers_clip_at_full_scale() {
     let wav = encode_wav(8_000, SampleFormat::Int16, &[&[2.0, -2.0, 1.0]]).unwrap();
-    let channels = read(Source::from_bytes(wav, "loud.wav").unwrap());
+    let channels = read(SoundReader::from_bytes(wav, "loud.wav").unwrap());
     let most = 32_767.0 / 32_768.0;
     assert_eq!(channels, [[most, -1.0, most]]);
 }
@@ -104,7 +106,7 @@ fn an_unfinished_recording_can_be_read_up_to_its_last_second() {
     }
     // As if the program were killed: nothing of it runs any more.
     std::mem::forget(recorder);
-    let planes = read(Source::open(&path).unwrap());
+    let planes = read(SoundReader::open(&path).unwrap());
     assert_eq!(planes.len(), 2);
     assert!(planes[0].len() > 30_000 - 8_000);
 }
@@ -129,7 +131,7 @@ fn cue(time_s: f64, text: &str) -> Cue {
 /// The copy of a mono sound with these markers.
 fn copied(sound: &[f32], cues: &[Cue]) -> Result<Vec<u8>, Error> {
     let wav = encode_wav(8_000, SampleFormat::Float32, &[sound]).unwrap();
-    let mut source = Source::from_bytes(wav, "sound.wav").unwrap();
+    let mut source = SoundReader::from_bytes(wav, "sound.wav").unwrap();
     let mut copy = Cursor::new(Vec::new());
     copy_with_cues(&mut source, &mut copy, cues)?;
     Ok(copy.into_inner())
@@ -159,7 +161,7 @@ fn markers_stand_behind_the_samples_at_their_frames() {
             ("labl", b"\x02\0\0\x002?\0")
         ]
     );
-    let source = Source::from_bytes(wav, "marked.wav").unwrap();
+    let source = SoundReader::from_bytes(wav, "marked.wav").unwrap();
     assert_eq!(source.warnings(), []);
     assert_eq!(read(source), [sound]);
 }

@@ -1,6 +1,6 @@
 //! WAV files of long recordings (RF64, BW64, W64), and of recorders that were stopped hard.
 
-use bouncelab_audio::{SampleFormat, Source, Warning, encode_wav};
+use bouncelab_audio::{SampleFormat, SoundReader, Warning, encode_wav};
 use bouncelab_testkit::containers;
 
 const RATE_HZ: u32 = 8_000;
@@ -22,7 +22,7 @@ fn w64(announced: u64, tail: &[u8]) -> Vec<u8> {
 }
 
 fn read(bytes: Vec<u8>) -> (Vec<f32>, Vec<Warning>) {
-    let mut source = Source::from_bytes(bytes, "long.wav").unwrap();
+    let mut source = SoundReader::from_bytes(bytes, "long.wav").unwrap();
     assert_eq!((source.sample_rate_hz(), source.channels()), (RATE_HZ, 1));
     let mut samples = Vec::new();
     while let Some(block) = source.next_block().unwrap() {
@@ -72,7 +72,7 @@ fn absurd_sizes_are_survived() {
     for size in [1, 23, u64::MAX / 2, u64::MAX - 7, u64::MAX] {
         for bytes in [rf64(*b"RF64", size, b""), w64(size, b"")] {
             // Whatever comes of it comes to an end.
-            if let Ok(mut source) = Source::from_bytes(bytes, "long.wav") {
+            if let Ok(mut source) = SoundReader::from_bytes(bytes, "long.wav") {
                 while let Ok(Some(_)) = source.next_block() {}
             }
         }

@@ -51,7 +51,7 @@ fn what_instruments_and_apps_export_is_sound() {
             comma(format!("{:.4};{a}", t * 1e3))
         }),
         table("time_us;ch 1", |t, a| comma(format!("{:.2};{a};", t * 1e6))),
-        table("Source,CH1\nSecond,Volt", |t, a| {
+        table("SoundReader,CH1\nSecond,Volt", |t, a| {
             format!("{:.7},{a}", t - 0.5)
         }),
         table("# of a logger", |t, a| format!("  {t:.6}   {a}")),

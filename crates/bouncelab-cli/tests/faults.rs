@@ -12,7 +12,7 @@ use std::process::{Command, Output};
 use std::thread;
 
 use bouncelab::synth::{self, Scene};
-use bouncelab_audio::{SampleFormat, Source};
+use bouncelab_audio::{SampleFormat, SoundReader};
 use bouncelab_testkit::{strikes, write_wav};
 use tempfile::TempDir;
 
@@ -518,13 +518,13 @@ fn assert_prefix(workspace: &Workspace, saved: &str) -> usize {
 }
 
 fn rate_hz(file: &Path) -> u32 {
-    Source::open(file).unwrap().sample_rate_hz()
+    SoundReader::open(file).unwrap().sample_rate_hz()
 }
 
 /// The samples of a file up to where it ends; none if it ends within its head.
 fn samples(file: &Path) -> Vec<f32> {
     let mut samples = Vec::new();
-    if let Ok(mut source) = Source::open(file) {
+    if let Ok(mut source) = SoundReader::open(file) {
         while let Ok(Some(block)) = source.next_block() {
             samples.extend_from_slice(block.channel(0));
         }

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::Command as Program;
 
 use assert_cmd::Command;
-use bouncelab_audio::{Source, times};
+use bouncelab_audio::{SoundReader, times};
 use predicates::prelude::*;
 use tempfile::TempDir;
 
@@ -216,7 +216,7 @@ fn a_copy_has_markers_at_the_impacts() {
     let inside = |name: &str| folder.path().join(name);
     marked(&folder);
     let all = |path: &Path| {
-        let mut source = Source::open(path).unwrap();
+        let mut source = SoundReader::open(path).unwrap();
         let mut samples = Vec::new();
         while let Some(block) = source.next_block().unwrap() {
             samples.extend_from_slice(block.channel(0));

@@ -6,7 +6,7 @@
 #![allow(clippy::missing_errors_doc)]
 
 use bouncelab::Diagnostic;
-use bouncelab_audio::{Source, Warning};
+use bouncelab_audio::{SoundReader, Warning};
 use bouncelab_report::figure::{self, DropSummary};
 use bouncelab_report::link::LinkedDrop;
 use wasm_bindgen::prelude::*;
@@ -20,7 +20,7 @@ use crate::wire::ComparedDrop;
 /// A recording that is being decoded.
 #[wasm_bindgen]
 pub struct Decoder {
-    source: Source,
+    source: SoundReader,
     samples: Vec<Vec<f32>>,
 }
 
@@ -29,7 +29,7 @@ impl Decoder {
     /// Opens the content of a file.
     #[wasm_bindgen(constructor)]
     pub fn new(bytes: Vec<u8>, name: &str) -> Result<Self> {
-        let source = Source::from_bytes(bytes, name)?;
+        let source = SoundReader::from_bytes(bytes, name)?;
         Ok(Self {
             samples: vec![Vec::new(); source.channels()],
             source,

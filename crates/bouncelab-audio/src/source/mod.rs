@@ -78,10 +78,10 @@ const MIN_DAMAGED: f32 = 1e7;
 /// exporting program should neither make the recording useless nor spread into everything computed from it.
 ///
 /// ```
-/// use bouncelab_audio::Source;
+/// use bouncelab_audio::SoundReader;
 ///
 /// # let wav = include_bytes!("../../tests/fixtures/pcm16.wav").to_vec();
-/// let mut source = Source::from_bytes(wav, "clicks.wav")?;
+/// let mut source = SoundReader::from_bytes(wav, "clicks.wav")?;
 /// let mut loudest: f32 = 0.0;
 /// while let Some(block) = source.next_block()? {
 ///     loudest = block.channel(0).iter().fold(loudest, |peak, sample| peak.max(sample.abs()));
@@ -90,7 +90,7 @@ const MIN_DAMAGED: f32 = 1e7;
 /// assert!(source.warnings().is_empty());
 /// # Ok::<(), bouncelab_audio::Error>(())
 /// ```
-pub struct Source {
+pub struct SoundReader {
     name: String,
     description: Option<&'static str>,
     track: Track,
@@ -125,12 +125,12 @@ impl Block<'_> {
     ///
     /// # Panics
     ///
-    /// If there is no such channel: see [`Source::channels`].
+    /// If there is no such channel: see [`SoundReader::channels`].
     pub fn channel(&self, channel: usize) -> &[f32] {
         &self.planes[channel][self.within.clone()]
     }
 
-    /// Number of channels: always [`Source::channels`].
+    /// Number of channels: always [`SoundReader::channels`].
     pub fn channels(&self) -> usize {
         self.planes.len()
     }
@@ -146,9 +146,9 @@ impl Block<'_> {
     }
 }
 
-impl fmt::Debug for Source {
+impl fmt::Debug for SoundReader {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Source")
+        f.debug_struct("SoundReader")
             .field("name", &self.name)
             .field("format", &self.format())
             .field("layout", &self.layout)
@@ -158,7 +158,7 @@ impl fmt::Debug for Source {
     }
 }
 
-impl Source {
+impl SoundReader {
     /// Opens a file and decodes its first packet.
     ///
     /// # Errors
@@ -186,7 +186,7 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// As for [`Source::open`].
+    /// As for [`SoundReader::open`].
     pub fn from_bytes(bytes: impl Into<Arc<[u8]>>, name: &str) -> Result<Self> {
         Self::from_reader(Cursor::new(bytes.into()), name)
     }
@@ -196,7 +196,7 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// As for [`Source::open`].
+    /// As for [`SoundReader::open`].
     pub fn from_reader<R>(reader: R, name: &str) -> Result<Self>
     where
         R: Read + Seek + Send + Sync + 'static,
@@ -342,7 +342,7 @@ impl Source {
     ///
     /// [`Error::Io`] if the system fails to read, [`Error::TooLong`] after 24 hours, or less with many
     /// channels at a high rate. Damage in the file is no
-    /// error here: everything that can be decoded is returned, and [`Source::warnings`] state the rest.
+    /// error here: everything that can be decoded is returned, and [`SoundReader::warnings`] state the rest.
     pub fn next_block(&mut self) -> Result<Option<Block<'_>>> {
         let max_frames = self.max_frames();
         if self.presented.max(self.pending.end) > max_frames {

@@ -140,7 +140,7 @@ impl Mended {
 /// The chunks of a file, one after the other.
 struct Chunks<'a, S> {
     source: &'a mut S,
-    kind: Kind,
+    variant: Variant,
     /// Position at which the next one begins.
     at: u64,
     /// The size that the file states for itself, without its first eight bytes.
@@ -148,7 +148,7 @@ struct Chunks<'a, S> {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-enum Kind {
+enum Variant {
     /// Sizes of 32 bits.
     Riff,
     /// Sizes of 32 bits, and those that do not fit in a chunk of their own.
@@ -163,14 +163,14 @@ impl<'a, S: Read + Seek> Chunks<'a, S> {
         let mut head = [0; 8];
         source.read_exact(&mut head)?;
         let [a, b, c, d, size @ ..] = head;
-        let (kind, header) = match &[a, b, c, d] {
-            b"RIFF" => (Kind::Riff, 12),
-            b"riff" => (Kind::W64, 40),
-            _ => (Kind::Rf64, 12),
+        let (variant, header) = match &[a, b, c, d] {
+            b"RIFF" => (Variant::Riff, 12),
+            b"riff" => (Variant::W64, 40),
+            _ => (Variant::Rf64, 12),
         };
         Ok(Self {
             source,
-            kind,
+            variant,
             at: start + header,
             stated_size: u32::from_le_bytes(size).into(),
         })
@@ -178,7 +178,7 @@ impl<'a, S: Read + Seek> Chunks<'a, S> {
 
     /// Name and content of the next chunk; `None` at the end of the file.
     fn next(&mut self, file_len: u64) -> io::Result<Option<([u8; 4], Range<u64>)>> {
-        let (header, align) = if self.kind == Kind::W64 {
+        let (header, align) = if self.variant == Variant::W64 {
             (24, 8)
         } else {
             (8, 2)
@@ -192,8 +192,8 @@ impl<'a, S: Read + Seek> Chunks<'a, S> {
         else {
             return Ok(None);
         };
-        let len = match (self.kind, bytes.last_chunk(), size.first_chunk()) {
-            (Kind::W64, Some(&size), _) => u64::from_le_bytes(size).saturating_sub(header),
+        let len = match (self.variant, bytes.last_chunk(), size.first_chunk()) {
+            (Variant::W64, Some(&size), _) => u64::from_le_bytes(size).saturating_sub(header),
             (_, _, Some(&size)) => u32::from_le_bytes(size).into(),
             _ => return Ok(None),
         };
@@ -215,14 +215,14 @@ impl<'a, S: Read + Seek> Chunks<'a, S> {
     /// The size of the sound in bytes, 0 if it was not known yet; `None` if the demuxer reads it from the header itself.
     fn sound_size(&self, content: &Range<u64>, size: Option<u64>) -> Option<u64> {
         let len = content.end - content.start;
-        match self.kind {
+        match self.variant {
             // The recorder wrote no sizes, although sound follows.
-            Kind::Riff if len == 0 && content.start >= self.stated_size + 8 => Some(0),
+            Variant::Riff if len == 0 && content.start >= self.stated_size + 8 => Some(0),
             // The chunk is longer than the file states for itself: the size in front of the sound counts.
-            Kind::Riff if content.end > self.stated_size + 8 => Some(len),
-            Kind::Riff => None,
-            Kind::Rf64 if len == u64::from(UNKNOWN) => Some(size.unwrap_or(0)),
-            Kind::Rf64 | Kind::W64 => Some(len),
+            Variant::Riff if content.end > self.stated_size + 8 => Some(len),
+            Variant::Riff => None,
+            Variant::Rf64 if len == u64::from(UNKNOWN) => Some(size.unwrap_or(0)),
+            Variant::Rf64 | Variant::W64 => Some(len),
         }
     }
 }

@@ -31,7 +31,7 @@ type Entry = (Option<usize>, f64);
 
 /// Whether a file of this name is read as a list of times.
 pub fn is_list(name: &str) -> bool {
-    Format::of(name).is_some()
+    ListFormat::of(name).is_some()
 }
 
 /// Reads the times in a file.
@@ -93,7 +93,7 @@ const MAX_LIST_LEN: u64 = 1 << 22;
 /// As for [`read`], but those of the file system.
 pub fn parse(content: &[u8], name: &str) -> Result<Vec<f64>> {
     let list = List { name };
-    let Some(format) = Format::of(name) else {
+    let Some(format) = ListFormat::of(name) else {
         return list.refuse(None, TimesProblem::Ending);
     };
     list.check_len(content, MAX_LIST_LEN)?;
@@ -101,14 +101,14 @@ pub fn parse(content: &[u8], name: &str) -> Result<Vec<f64>> {
         return list.refuse(None, TimesProblem::NotText);
     };
     let entries = match format {
-        Format::Txt if first_line(&text).contains('\t') => {
+        ListFormat::Txt if first_line(&text).contains('\t') => {
             audacity::starts(&text).map_or_else(|| list.table(&text), Ok)?
         }
-        Format::Txt => list.lines(&text)?,
-        Format::Csv if separator(&text).is_none() => list.lines(&text)?,
-        Format::Csv => list.table(&text)?,
-        Format::Json => list.array(&text)?,
-        Format::TextGrid => list.points(&text)?,
+        ListFormat::Txt => list.lines(&text)?,
+        ListFormat::Csv if separator(&text).is_none() => list.lines(&text)?,
+        ListFormat::Csv => list.table(&text)?,
+        ListFormat::Json => list.array(&text)?,
+        ListFormat::TextGrid => list.points(&text)?,
     };
     list.check(&entries)?;
     Ok(entries.into_iter().map(|(_, time_s)| time_s).collect())
@@ -137,7 +137,7 @@ fn first_line(text: &str) -> &str {
 }
 
 #[derive(Clone, Copy)]
-enum Format {
+enum ListFormat {
     Txt,
     Csv,
     Json,
@@ -145,11 +145,11 @@ enum Format {
 }
 
 /// The formats, by the endings of file names.
-const FORMATS: [(&str, Format); 4] = [
-    ("txt", Format::Txt),
-    ("csv", Format::Csv),
-    ("json", Format::Json),
-    ("TextGrid", Format::TextGrid),
+const FORMATS: [(&str, ListFormat); 4] = [
+    ("txt", ListFormat::Txt),
+    ("csv", ListFormat::Csv),
+    ("json", ListFormat::Json),
+    ("TextGrid", ListFormat::TextGrid),
 ];
 
 /// Endings of the names of lists, without the dot; capital letters in a name count as small ones.
@@ -157,7 +157,7 @@ pub fn endings() -> impl Iterator<Item = &'static str> {
     FORMATS.iter().map(|(ending, _)| *ending)
 }
 
-impl Format {
+impl ListFormat {
     fn of(name: &str) -> Option<Self> {
         let extension = Path::new(name).extension()?.to_str()?;
         let is_same = |(ending, _): &&(&str, Self)| ending.eq_ignore_ascii_case(extension);

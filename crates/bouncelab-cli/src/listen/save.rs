@@ -195,7 +195,7 @@ fn unused(file: &Path) -> PathBuf {
 mod tests {
     use std::fs;
 
-    use bouncelab_audio::Source;
+    use bouncelab_audio::SoundReader;
     use tempfile::TempDir;
 
     use super::*;
@@ -229,7 +229,7 @@ mod tests {
         assert!(saver.finish().is_none());
         assert!(!saver.has_failed());
         let saved = ["a.wav", "a-2.wav"].map(|name| {
-            let source = Source::open(folder.path().join(name)).unwrap();
+            let source = SoundReader::open(folder.path().join(name)).unwrap();
             (
                 source.duration_s().unwrap() * 8000.0,
                 source.gaps().to_vec(),

@@ -612,7 +612,7 @@ mod tests {
                 LiveRecording::start(sound, saver, Stop::on_request(), u64::MAX).unwrap();
             let heard = outlived(&recording, |event| session.take(event, &recording));
             let concluded = session.conclude(heard, recording.ended());
-            let source = bouncelab_audio::Source::open(&saved).unwrap();
+            let source = bouncelab_audio::SoundReader::open(&saved).unwrap();
             std::fs::remove_file(&saved).unwrap();
             (concluded.map_err(|it| it.to_string()), source.gaps().len())
         };

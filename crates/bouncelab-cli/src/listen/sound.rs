@@ -9,7 +9,7 @@ use bouncelab::Plain;
 use bouncelab::analysis::Gap;
 #[cfg(feature = "microphone")]
 use bouncelab_audio::microphone::{self, Microphone};
-use bouncelab_audio::{Input, SampleFormat, Source, Warning};
+use bouncelab_audio::{Input, SampleFormat, SoundReader, Warning};
 
 use super::Arguments;
 use crate::failure::Failure;
@@ -184,7 +184,7 @@ impl Sound {
 
 /// A file that is played, at the pace at which it sounded or as fast as it goes.
 pub(super) struct Player {
-    source: Source,
+    source: SoundReader,
     pace: Option<Instant>,
     frames: u64,
 }

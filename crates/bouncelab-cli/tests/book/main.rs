@@ -13,7 +13,7 @@ use std::fs;
 use std::path::{Component, Path, PathBuf};
 use std::process::{Command, Output};
 
-use bouncelab_audio::Source;
+use bouncelab_audio::SoundReader;
 use bouncelab_testkit::damage;
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 use tempfile::TempDir;
@@ -361,7 +361,7 @@ impl Scene {
     /// commas, and as phyphox does, half a second from a low height.
     fn export(&self) {
         let rows = |name: &str, row: &dyn Fn(usize, f64, f32) -> Option<String>| {
-            let mut source = Source::open(self.0.path().join(name)).unwrap();
+            let mut source = SoundReader::open(self.0.path().join(name)).unwrap();
             let step_s = 1.0 / f64::from(source.sample_rate_hz());
             let mut samples = Vec::new();
             while let Some(block) = source.next_block().unwrap() {

@@ -14,7 +14,7 @@ use assert_cmd::Command;
 use bouncelab::analysis::Gap;
 use bouncelab::impact::Strike;
 use bouncelab::synth::{self, Scene};
-use bouncelab_audio::{Recorder, SampleFormat, Source};
+use bouncelab_audio::{Recorder, SampleFormat, SoundReader};
 use bouncelab_testkit::{strikes, write_wav};
 use predicates::prelude::*;
 use serde_json::Value;
@@ -88,7 +88,7 @@ fn three_drops(folder: &TempDir) -> PathBuf {
 
 /// The first channel of a file.
 fn samples(file: &Path) -> Vec<f32> {
-    let mut source = Source::open(file).unwrap();
+    let mut source = SoundReader::open(file).unwrap();
     let mut samples = Vec::new();
     while let Some(block) = source.next_block().unwrap() {
         samples.extend_from_slice(block.channel(0));
@@ -320,7 +320,7 @@ fn a_saved_recording_says_where_sound_was_lost() {
         recorder.push(&[after]).unwrap();
         recorder.finish().unwrap();
         play(&lossy).arg("--save").arg(&saved).assert().success();
-        assert_eq!(Source::open(&saved).unwrap().gaps(), [gap]);
+        assert_eq!(SoundReader::open(&saved).unwrap().gaps(), [gap]);
         assert_eq!(samples(&saved), samples(&lossy));
         let analysed = analyze(&saved);
         assert!(analysed.to_string().contains(code), "{analysed}");

@@ -1,7 +1,7 @@
 //! Bytes as recordings and as lists of times.
 
 use bouncelab::diagnostic::Argument;
-use bouncelab_audio::{Input, MAX_BLOCK_FRAMES, Source, times};
+use bouncelab_audio::{Input, MAX_BLOCK_FRAMES, SoundReader, times};
 
 use super::mend;
 
@@ -22,7 +22,7 @@ pub(super) fn ogg(bytes: &[u8]) {
 
 /// Decodes all of it and checks what every recording must keep to.
 pub(super) fn decode_all(bytes: &[u8]) {
-    match Source::from_bytes(bytes.to_vec(), "fuzz") {
+    match SoundReader::from_bytes(bytes.to_vec(), "fuzz") {
         Ok(source) => decode(source),
         Err(error) => assert!(!error.to_string().is_empty(), "an error says what is wrong"),
     }
@@ -43,7 +43,7 @@ pub(super) fn read_waveform(bytes: &[u8]) {
     }
 }
 
-fn decode(mut source: Source) {
+fn decode(mut source: SoundReader) {
     let mut at = 0;
     while let Ok(Some(block)) = source.next_block() {
         assert_eq!(block.start_frame(), at, "blocks follow each other");
