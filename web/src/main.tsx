@@ -33,10 +33,10 @@ keepSimulated();
 void start();
 void followLink();
 void loadKept();
-// What another tab has kept meanwhile is kept here too.
+// Drops that another tab has kept meanwhile are shown here too.
 addEventListener('visibilitychange', () => {
   if (!document.hidden) void loadKept();
 });
-// Where the browser keeps nothing there is nothing left over either.
+// Without the browser's database there are no unkept recordings to offer.
 void findOrphans().catch(() => undefined);
 void workOffline();

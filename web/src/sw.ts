@@ -1,7 +1,7 @@
 /// <reference lib="webworker" />
 /**
  * Keeps every file of the page, so that it opens without a network. A new version is fetched as a
- * whole beside the old one and takes over only when the reader says so: never half of each.
+ * whole next to the old one and takes over only when the reader says so: never half of each.
  */
 declare const self: ServiceWorkerGlobalScope;
 declare const __PRECACHE__: readonly string[];

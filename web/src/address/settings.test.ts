@@ -36,7 +36,7 @@ test('nothing stated is an empty address', () => {
   expect(settingsToParameters({}).toString()).toBe('');
 });
 
-test('what makes no sense is named, the rest is taken', () => {
+test('invalid values are named, the valid ones are used', () => {
   const read = settingsFromParameters(
     new URLSearchParams('ball=<script>&height_cm=tall&flights=1-1e9&temperature_c=20,5&unknown=1'),
   );

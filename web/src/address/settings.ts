@@ -8,7 +8,7 @@ import type { Settings } from '../lab/index.ts';
 interface Field {
   readonly key: string;
   write(settings: Settings): string | undefined;
-  /** `undefined` if the text makes no sense. */
+  /** `undefined` if the text is no valid value. */
   read(text: string): Settings | undefined;
 }
 
@@ -59,7 +59,7 @@ function flag(key: string, setting: FlagKey): Field {
 }
 
 /** No drop has more. */
-const MOST_FLIGHTS = 10_000;
+const MAX_FLIGHTS = 10_000;
 
 const INFERRED = ['gravity', 'drag', 'contact-time'] as const;
 
@@ -106,7 +106,7 @@ const FIELDS: readonly Field[] = [
         Number.isInteger(to) &&
         from >= 1 &&
         to > from &&
-        to <= MOST_FLIGHTS;
+        to <= MAX_FLIGHTS;
       return fine ? { flights: [from, to] } : undefined;
     },
   },

@@ -47,7 +47,7 @@ export function simulationToParameters(setup: SimulationSetup): URLSearchParams 
   return parameters;
 }
 
-/** What makes no sense stays at its usual place: a slider always shows what is meant. */
+/** An invalid value is replaced by the default: a slider always shows the value in use. */
 export function simulationFromParameters(parameters: URLSearchParams): SimulationSetup {
   const setup: { -readonly [K in keyof SimulationSetup]: SimulationSetup[K] } = { ...USUAL };
   for (const [name, { key, size, min, max }] of Object.entries(SLIDERS)) {

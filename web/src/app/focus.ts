@@ -4,7 +4,7 @@
 export const focusPage = (): void =>
   document.getElementById('main')?.focus({ preventScroll: true });
 
-/** To the same place in the next entry of a list, or the one before; to the page if there is none. */
+/** Moves the focus to the same control of the next or previous entry of a list, or to the page without one. */
 export function handFocusOn(button: HTMLElement, entry: string): void {
   const going = button.closest(entry);
   const next = going?.nextElementSibling ?? going?.previousElementSibling;

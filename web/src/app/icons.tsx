@@ -1,4 +1,4 @@
-/** The few signs of the page; each stands beside its word. Drawn in the colour of the text. */
+/** The icons of the page; each stands next to its label. Drawn in the colour of the text. */
 import type { ComponentChildren } from 'preact';
 
 function Icon({ children }: { readonly children: ComponentChildren }) {

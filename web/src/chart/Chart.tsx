@@ -16,7 +16,7 @@ function standingAlone(panel: Panel, { panels }: Description): Panel {
   return { ...panel, x, y: shared ? first : panel.y };
 }
 
-/** A chart of the engine that can be zoomed, with its legend; its sentence and its numbers stand beside it. */
+/** A chart of the engine that can be zoomed, with its legend; its caption and its numbers stand next to it. */
 export function Chart({ chart }: { readonly chart: Description }) {
   const narrow = isNarrow.value && chart.columns.length > 1;
   const panels = useMemo(() => {

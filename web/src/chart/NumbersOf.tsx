@@ -6,7 +6,7 @@ import { labelOf, type Point, pointsOf } from './points.ts';
 
 const open = signal(false);
 /** A curve of hundreds of points is better seen than read. */
-const MOST_ROWS = 60;
+const MAX_ROWS = 60;
 
 /** The numbers behind a chart, for those who do not see it and those who want digits. */
 export function NumbersOf({ chart }: { readonly chart: Chart }) {
@@ -78,6 +78,6 @@ function Table({
 
 function rowsOf(layer: Layer): readonly Point[] {
   const points = pointsOf(layer);
-  const every = Math.max(1, Math.ceil(points.length / MOST_ROWS));
+  const every = Math.max(1, Math.ceil(points.length / MAX_ROWS));
   return points.filter((_, index) => index % every === 0);
 }

@@ -18,7 +18,7 @@ const NUMBERS_REM = 0.8125;
 const LINE_REM = 1.1;
 /** Between numbers or names and the frame. */
 const GAP_PX = 4;
-/** Names of rows are broken into lines of so many letters. */
+/** Names of rows are broken into lines of this many letters. */
 const NAME_LETTERS = 20;
 /** An equation is one word. */
 const BETWEEN_WORDS = /(?<!=) (?!=)/;
@@ -32,7 +32,7 @@ export function optionsOf(row: readonly Panel[], width: number, language: string
   const panel = row[0] as Panel;
   const { x, y } = panel;
   const inner = Math.min((panel.height / FIGURE_TEXT) * rem(), Math.max(0.7 * width, 6 * rem()));
-  const named = Math.max(...row.map((beside) => heightOfNames(beside.y.names)));
+  const named = Math.max(...row.map((panel) => heightOfNames(panel.y.names)));
   const beyond = beyondEnds(x, language);
   const below = (x.ticks === 'labelled' ? LABEL_REM : 0) * rem() + sizeOfX(x);
   return {

@@ -109,7 +109,7 @@ function stroke(ctx: Context, width: number, dashes: Dashes, path: () => void): 
   ctx.setLineDash([]);
 }
 
-/** Goes on to a place, or begins there; false if there is none. */
+/** Continues the line to a point, or begins it there; false if there is no point. */
 function to(ctx: Context, begins: boolean, x: number, y: number): boolean {
   if (Number.isNaN(x + y)) return false;
   if (begins) ctx.moveTo(x, y);
@@ -147,7 +147,7 @@ function triangle(ctx: Context, x: number, tip: number, base: number, half: numb
   ctx.closePath();
 }
 
-/** Words beside a place, moved as far as it takes to be whole. */
+/** A label next to a point, moved until it is wholly visible. */
 function write(plot: uPlot, words: string, x: number, foot: number, right: boolean): void {
   const { ctx, bbox } = plot;
   const gap = 6 * devicePixelRatio;

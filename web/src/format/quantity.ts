@@ -43,7 +43,7 @@ export function estimated(
   return withUnit(withError(value / size, sd / size), symbol, language);
 }
 
-/** A value in so many significant digits. */
+/** A value with a given number of significant digits. */
 export function rounded(value: number, digits: number, unit: Unit, language: string): string {
   const [size, symbol] = stepFor(unit, Math.abs(value));
   return withUnit(withDigits(value / size, digits), symbol, language);
@@ -57,7 +57,7 @@ export const fixed = (value: number, decimals: number, language: string): string
 export const perCent = (share: number, language: string): string =>
   withUnit(withMinus(withDecimals(100 * share, 0)), '%', language);
 
-/** Numbers that are written with a point, in the manner of a language; 1.2.3 is none. */
+/** Numbers written with a decimal point, in the form of a language; 1.2.3 is no number. */
 export function localised(written: string, language: string): string {
   const point = (1.5).toLocaleString(language).charAt(1);
   return written.replace(/\d+(?:\.\d+)+/g, (number) =>

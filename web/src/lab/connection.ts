@@ -24,8 +24,8 @@ interface Pending {
 /**
  * Calls to one worker, answered in order.
  *
- * If the engine in it fails, the worker is thrown away and the next call starts another:
- * nothing that matters lives in there.
+ * If the engine in it fails, the worker is ended and the next call starts another: it holds no state that the page
+ * needs.
  */
 export class Connection {
   readonly #spawn: () => Port;

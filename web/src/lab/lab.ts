@@ -38,9 +38,9 @@ import { Recording, type Services } from './recording.ts';
 export interface OpenOptions {
   /** The only channel to listen to, the first being 1; the one with the most evidence if left out. */
   channel?: number;
-  /** Calls it off. */
+  /** Cancels it. */
   signal?: AbortSignal;
-  /** How far it is, 0 to 1. */
+  /** Progress, 0 to 1. */
   onProgress?: (share: number) => void;
 }
 
@@ -61,7 +61,7 @@ export function mustFit(name: string, bytes: number): void {
 }
 
 /**
- * The laboratory: the science, in workers beside the page.
+ * The laboratory: the science, in workers that run next to the page.
  *
  * ```ts
  * const lab = new Lab();
@@ -74,9 +74,9 @@ export function mustFit(name: string, bytes: number): void {
 export class Lab {
   readonly #spawn: () => Port;
   readonly #load: (part: Part) => Promise<WebAssembly.Module>;
-  /** What must answer at once. */
+  /** The worker for requests that must be answered at once. */
   readonly #front: Connection;
-  /** What may take a while. */
+  /** The worker for long requests. */
   readonly #back: Connection;
   readonly #messages: () => Messages;
   #turn = 0;
@@ -275,7 +275,7 @@ export class Lab {
     return this.#alone(true, undefined, (connection) => connection.call('linkedDrop', { code }));
   }
 
-  /** What drops say together. */
+  /** The study of several drops. */
   study(request: StudyRequest): Promise<Studied> {
     return this.#alone(true, undefined, (connection) => connection.call('study', { request }));
   }
@@ -320,12 +320,12 @@ export class Lab {
     return this.#front.call('lessonCharts', {});
   }
 
-  /** What the log-linear fit of the paper makes of a choice. */
+  /** The log-linear fit of the paper for a choice. */
   puzzleAnswer(choice: PuzzleChoice): Promise<PuzzleAnswer> {
     return this.#front.call('puzzleAnswer', { choice });
   }
 
-  /** The choice with the restitution with which the line says what the paper's says. */
+  /** The choice with the restitution for which the log-linear fit gives the paper's result. */
   puzzleSolution(choice: PuzzleChoice): Promise<PuzzleChoice> {
     return this.#front.call('puzzleSolution', { choice });
   }
@@ -460,7 +460,7 @@ export class Listening {
     return new Recording(name, result, sound, this.#services);
   }
 
-  /** Ends it without looking. */
+  /** Ends it without detection. */
   async discard(): Promise<void> {
     await this.#connection.call('cancel', { session: this.#session });
   }
@@ -479,7 +479,7 @@ function spawnWorker(): Port {
   return new Worker(new URL('./worker.ts', import.meta.url), { type: 'module', name: 'lab' });
 }
 
-/** What is compiled of the science. */
+/** The compiled modules of the science. */
 type Part = 'engine' | 'decoders';
 
 /** Loads and compiles the parts of the science, each once for all workers. */
@@ -496,7 +496,7 @@ function loader(): (part: Part) => Promise<WebAssembly.Module> {
     }
     const loading = compile(urls[part]);
     loaded.set(part, loading);
-    // What failed, perhaps for want of a network, is tried again.
+    // A failed load, such as without a network, is tried again at the next request.
     loading.catch(() => loaded.delete(part));
     return loading;
   };

@@ -26,7 +26,7 @@ test('tables and arrays are left to those who read them', () => {
   expect(listOf(' [0.1, 0.5]').name).toBe('times.json');
 });
 
-test('what makes no sense is handed on as it was written', () => {
+test('text that is no number is passed on as it was written', () => {
   expect(listOf('0.1\nzwei')).toEqual({ name: 'times.txt', text: '0.1\nzwei' });
   expect(listOf('hello world').text).toBe('hello world');
 });

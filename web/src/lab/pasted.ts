@@ -22,6 +22,6 @@ export function listOf(text: string): { readonly name: string; readonly text: st
 function entriesOf(text: string): string[] {
   const lines = text.split(/\r?\n/).map((line) => line.trim());
   if (lines.length > 1) return lines;
-  // A comma separates where points are decimal, or where a space is beside it.
+  // A comma separates values where the decimal sign is a point, or where a space is next to the comma.
   return text.split(text.includes('.') ? /[;,\s]+/ : /,\s+|[;\s]+/);
 }

@@ -41,10 +41,10 @@ export interface FigureRequest {
   readonly simulation: SimulationRequest | null;
 }
 
-/** Least and greatest sample of bins of equal length, fine to coarse. */
+/** Minimum and maximum sample of bins of equal length, fine to coarse. */
 export interface Level {
   samplesPerBin: number;
-  /** Least and greatest of each bin, one after the other. */
+  /** Minimum and maximum of each bin, one after the other. */
   extremes: Float32Array;
 }
 

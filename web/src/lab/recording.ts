@@ -70,7 +70,7 @@ export class Recording {
     return this.sound?.levels.findLast((level) => level.samplesPerBin <= longest) ?? null;
   }
 
-  /** The onset nearest to a time, if there is one within so many seconds. */
+  /** The onset nearest to a time, if one lies within the given number of seconds. */
   async onsetNear(timeS: number, withinS = 0.02): Promise<Impact | null> {
     if (this.sound === null) {
       return null;

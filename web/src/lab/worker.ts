@@ -22,7 +22,7 @@ import type {
 } from './protocol.ts';
 
 /** Samples that do not fit into this memory cannot be kept, in bytes. */
-const MOST_SAMPLE_BYTES = 480e6;
+const MAX_SAMPLE_BYTES = 480e6;
 
 /** What a call may use besides its request. */
 interface Context {
@@ -69,7 +69,7 @@ const handlers: Handlers = {
         all.push(samples);
         frames = all.length;
       });
-      if (4 * frames * channels.length > MOST_SAMPLE_BYTES) {
+      if (4 * frames * channels.length > MAX_SAMPLE_BYTES) {
         throw new TooLong(Math.floor(frames / sampleRateHz / 60), channels.length);
       }
       if (expected > 0) {
@@ -245,7 +245,7 @@ class Samples {
   length = 0;
 
   constructor(expected: number) {
-    this.#all = new Float32Array(Math.min(Math.ceil(expected) + 1, MOST_SAMPLE_BYTES / 4));
+    this.#all = new Float32Array(Math.min(Math.ceil(expected) + 1, MAX_SAMPLE_BYTES / 4));
   }
 
   push(samples: Float32Array): void {

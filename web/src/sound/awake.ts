@@ -1,6 +1,6 @@
 /**
- * Keeps the screen on: a phone that falls asleep while a ball is fetched stops listening. Returns what
- * lets it sleep again. Where a browser does not know how, or does not want to, nothing happens.
+ * Keeps the screen on: a phone whose screen turns off while a ball is fetched stops listening. Returns a function
+ * that releases the lock. Where a browser lacks or refuses the lock, nothing happens.
  */
 export function keepAwake(): () => void {
   const asked = (navigator.wakeLock as WakeLock | undefined)?.request('screen');

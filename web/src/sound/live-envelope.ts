@@ -1,4 +1,4 @@
-/** The last seconds of what is recorded, as least and greatest of short bins, for drawing while listening. */
+/** The last seconds of the recording as minimum and maximum of short bins, for drawing while listening. */
 export class LiveEnvelope {
   readonly #bins: Float32Array;
   readonly #samplesPerBin: number;
@@ -41,7 +41,7 @@ export class LiveEnvelope {
     return this.#bin;
   }
 
-  /** Least and greatest of a bin, by its number from the beginning; zero where it is forgotten. */
+  /** Minimum and maximum of a bin, by its number from the beginning; zero if it is no longer stored. */
   bin(number: number): readonly [number, number] {
     const capacity = this.#bins.length / 2;
     if (number < 0 || number > this.#bin || number <= this.#bin - capacity) return [0, 0];

@@ -5,7 +5,7 @@
 
 import tapUrl from './tap.worklet.js?url';
 
-/** Why there is no sound, for the words on the page. */
+/** Why there is no sound; the page has a message for each. */
 export type MicrophoneFault =
   | 'refused'
   | 'missing'
@@ -24,7 +24,7 @@ export class MicrophoneError extends Error {
   }
 }
 
-/** So long a browser may take to start, in milliseconds. */
+/** The longest time that a browser may take to start, in milliseconds. */
 const PATIENCE_MS = 5000;
 
 /** An open microphone. */
@@ -37,9 +37,9 @@ export interface Microphone {
 
 export interface MicrophoneEvents {
   block(samples: Float32Array<ArrayBuffer>): void;
-  /** So many frames are missing between the last block and the next. */
+  /** The number of frames missing between the last block and the next. */
   missing(frames: number): void;
-  /** The device went away, or the browser stopped the sound, as for a call. */
+  /** The device was removed, or the browser stopped the sound, such as for a call. */
   lost(): void;
   /** The device is there but gives silence, until it is unmuted. */
   muted(isMuted: boolean): void;

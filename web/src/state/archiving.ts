@@ -22,14 +22,14 @@ export async function archive(): Promise<Blob> {
   );
 }
 
-/** Keeps drops of an archive with their sounds beside those that are here; says how many are new. */
+/** Adds the drops of an archive and their sounds to the kept ones; returns the number of new ones. */
 export async function keepArchived(
   drops: readonly KeptDrop[],
   sounds: readonly ArchivedSound[],
 ): Promise<number> {
   const used = new Set(drops.map(({ recording }) => recording));
   for (const { recording, samples } of sounds.filter(({ recording: { id } }) => used.has(id))) {
-    // Other windows shall not take it for one that nobody wants, until its drop is there.
+    // Until its drop is stored, other windows must not delete it as unused.
     lock(recording.id);
     await addRecording(recording, await samples());
   }

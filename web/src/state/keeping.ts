@@ -148,7 +148,7 @@ async function forgetDeleted(): Promise<void> {
   deleted.value = [];
 }
 
-/** Puts a kept drop back on the loaded, as it was left: its sound, its set-up, its impacts. */
+/** Loads a kept drop as it was left: its sound, its set-up, its impacts. */
 export async function openKept(drop: KeptDrop): Promise<void> {
   settings.value = drop.settings;
   goToLab();

@@ -25,7 +25,7 @@ export const savedS = signal(0);
 
 /** Seconds of silence before the page says so. */
 const SILENT_AFTER_S = 2;
-/** Nobody drops a ball for so long; then it ends by itself too. */
+/** Listening ends by itself after this time: no drop lasts as long. */
 const LONGEST_S = 1800;
 const SHOWN_S = 6;
 const BINS_PER_SECOND = 200;

@@ -1,4 +1,4 @@
-/** Drops that are analysed beside the workspace, to be kept. */
+/** Drops that are analysed concurrently with the workspace, to be kept. */
 import type { Drop, DropMarks, Recording, Settings } from '../lab/index.ts';
 import type { KeptDrop, Known } from '../store/drops.ts';
 import { engine } from './engine.ts';

@@ -39,7 +39,7 @@ export const simulating = computed(
 );
 
 export const runs = signal<readonly Run[]>([]);
-const MOST_RUNS = 3;
+const MAX_RUNS = 3;
 
 /** A run that a measured drop is compared with. */
 interface Laid {
@@ -109,7 +109,7 @@ export function keepRun(): void {
   const done = outcome.peek();
   if (!done) return;
   const number = (runs.peek().at(-1)?.number ?? 0) + 1;
-  runs.value = [...runs.peek(), { ...done, number }].slice(-MOST_RUNS);
+  runs.value = [...runs.peek(), { ...done, number }].slice(-MAX_RUNS);
 }
 
 export function removeRun(number: number): void {

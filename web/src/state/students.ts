@@ -2,8 +2,8 @@
 
 /**
  * The student of each file: the first folder that not all files share, else the name of the file. What learning
- * platforms add to the names of folders (`Anna Berger_1234_assignsubmission_file_`) is left out; files as this page
- * names them are of nobody.
+ * platforms add to the names of folders (`Anna Berger_1234_assignsubmission_file_`) is left out; a file named by this page
+ * has no student.
  */
 export function studentsOf(paths: readonly string[]): readonly string[] {
   const split = paths.map((path) => path.split('/'));

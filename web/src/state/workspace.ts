@@ -20,7 +20,7 @@ export type Phase =
   | { readonly kind: 'reading'; readonly name: string; readonly share?: number }
   | { readonly kind: 'ready' };
 
-/** A recording, or a list of times, on the loaded. */
+/** The loaded recording or list of times. */
 export interface Workspace {
   readonly name: string;
   readonly recording: Recording;
@@ -32,7 +32,7 @@ export interface Workspace {
 }
 
 export const phase = signal<Phase>({ kind: 'empty' });
-/** While it listens or reads, nothing else is put on the loaded. */
+/** While it listens or reads, nothing else is loaded. */
 export const busy = computed(() => !['empty', 'ready'].includes(phase.value.kind));
 export const fault = signal<Fault | null>(null);
 export const workspace = signal<Workspace | null>(null);

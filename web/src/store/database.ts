@@ -67,7 +67,7 @@ function attempt<T>(
   work: (transaction: IDBTransaction) => IDBRequest<T> | undefined,
 ): Promise<T | undefined> {
   return new Promise((resolve, reject) => {
-    // Browsers may call a transaction complete before the disk has it, unless told not to.
+    // Browsers may call a transaction complete before the disk has it, unless durability is requested.
     const durability = mode === 'readwrite' ? 'strict' : 'default';
     const transaction = database.transaction(stores, mode, { durability });
     const request = work(transaction);

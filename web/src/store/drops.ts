@@ -23,11 +23,11 @@ export interface KeptDrop {
   readonly marks: DropMarks;
   /** Its sound in the database; `null` for a list of times. */
   readonly recording: string | null;
-  /** Who dropped the ball; empty where nobody said so. */
+  /** Who dropped the ball; empty if not given. */
   readonly student: string;
-  /** On what the ball was dropped; empty where nobody said so. */
+  /** The surface on which the ball was dropped; empty if not given. */
   readonly surface: string;
-  /** What it adds to a study of many drops; `null` where that cannot be told, absent if an earlier version kept it. */
+  /** What it adds to a study of many drops; `null` where it cannot be computed, absent if an earlier version kept the drop. */
   readonly comparable?: Comparable | null;
 }
 
@@ -39,7 +39,7 @@ export async function putDrop(drop: KeptDrop): Promise<void> {
   await transact(['drops'], 'readwrite', (t) => t.objectStore('drops').put(drop));
 }
 
-/** Puts drops beside those that are there, which stay as they are; says how many were new. */
+/** Adds drops to the stored ones, which stay as they are; returns the number of new ones. */
 export async function addDrops(drops: readonly KeptDrop[]): Promise<number> {
   let added = 0;
   await transact(['drops'], 'readwrite', (t) => {

@@ -1,4 +1,4 @@
-/** Sounds that a page uses: another one beside it neither offers nor deletes them. */
+/** Sounds that a page uses: another page in the same browser neither offers nor deletes them. */
 
 const PREFIX = 'bouncelab.sound.';
 

@@ -12,7 +12,7 @@ export type KeepFault = 'full' | 'unavailable';
 
 export interface WriterEvents {
   fault(fault: KeepFault): void;
-  /** So many more samples are on the disk. */
+  /** The number of samples written to the disk since the last report. */
   saved(samples: number): void;
 }
 

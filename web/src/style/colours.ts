@@ -40,7 +40,7 @@ export function colour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }
 
-/** So much of a colour, from 0 to 1, on the paper of the present theme. */
+/** A colour with an opacity from 0 to 1 over the background of the current theme. */
 export function tinted(name: string, strength: number): string {
   const share = Math.round(100 * strength);
   return `color-mix(in srgb, ${colour(name)} ${share}%, ${colour('paper')})`;

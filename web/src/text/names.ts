@@ -1,8 +1,8 @@
-/** Names of things that the engine knows by a key. */
+/** Names of balls, laws and surfaces that the engine identifies by a key. */
 import { localised } from '../format/quantity.ts';
 import { hasText, language, text } from './language.ts';
 
-/** The name of a thing; one that has no message is called by its key, as one that an address made up. */
+/** The name for a key; a key without a message, such as one typed into the address, is its own name. */
 export const nameIn = (id: string, key: string): string => (hasText(id) ? text(id) : key);
 
 /** A ball in the language of the page. */

@@ -1,4 +1,4 @@
-/** Mouse, pen and fingers on the waveform, as what they mean. */
+/** Mouse, pen and touch events on the waveform as actions. */
 import { timeAt } from './painter.ts';
 import type { Viewport } from './viewport.ts';
 
@@ -125,7 +125,7 @@ export function listenToGestures(element: HTMLElement, target: GestureTarget): (
     }
   };
 
-  /** By the time of the hand: a busy page gets it later. */
+  /** By the event's own time stamp: a busy page handles the event later. */
   const tap = (x: number, at: number, mark: number | undefined): void => {
     const twice = at - lastTap.at < 350 && Math.abs(x - lastTap.x) < 16;
     lastTap = { at: twice ? 0 : at, x };

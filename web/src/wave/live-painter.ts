@@ -46,7 +46,7 @@ export function paintLive(
   context.setLineDash([]);
 }
 
-/** The loudest moment in sight, but never less than a whisper, so that noise stays small. */
+/** The largest visible magnitude, but at least the level of a whisper, so that noise is drawn small. */
 function loudest(envelope: LiveEnvelope, first: number): number {
   let peak = 0.01;
   for (let bin = first; bin <= envelope.newest; bin += 1) {

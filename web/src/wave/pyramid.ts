@@ -1,5 +1,5 @@
 /**
- * A sound at every magnification: each level holds the least and greatest sample of ever longer bins.
+ * A sound at every magnification: each level holds the minimum and maximum sample of ever longer bins.
  * Drawing a column then looks at a few bins, however long the recording.
  */
 
@@ -23,7 +23,7 @@ export function levelFor(pyramid: Pyramid, samplesPerColumn: number): Level | un
   return chosen;
 }
 
-/** Least and greatest between two samples, written into `into` at column `column`. */
+/** Minimum and maximum between two samples, written into `into` at column `column`. */
 export function columnOf(
   level: Level,
   fromSample: number,

@@ -30,7 +30,7 @@ test('zooming in ends at a few hundred samples', () => {
   expect(widthS(zoomed(view, 1e9, 3, 10))).toBeCloseTo(0.004);
 });
 
-test('a moment in sight moves nothing; one outside comes in with a margin beside it', () => {
+test('a visible time moves nothing; one outside becomes visible with a margin', () => {
   expect(revealing(view, 3, 10)).toBe(view);
   const moved = revealing(view, 5, 10);
   expect(moved.startS).toBeLessThan(5);

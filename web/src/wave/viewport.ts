@@ -36,12 +36,12 @@ export function zoomed(
   return clamped({ startS, endS: startS + width }, durationS);
 }
 
-/** Moves by so many seconds. */
+/** Moves by a number of seconds. */
 export function panned(view: Viewport, byS: number, durationS: number): Viewport {
   return clamped({ startS: view.startS + byS, endS: view.endS + byS }, durationS);
 }
 
-/** The smallest move that brings a moment into sight, with a margin beside it. */
+/** The smallest move that makes a time visible, with a margin. */
 export function revealing(view: Viewport, timeS: number, durationS: number): Viewport {
   const margin = 0.1 * widthS(view);
   if (timeS < view.startS + margin) return panned(view, timeS - margin - view.startS, durationS);

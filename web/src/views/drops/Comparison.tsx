@@ -2,7 +2,7 @@ import { Figure, useAnswer } from '../../chart/Figure.tsx';
 import { engine } from '../../state/engine.ts';
 import type { KeptDrop } from '../../store/drops.ts';
 
-/** Drops beside each other, and the restitution of each over the speed. */
+/** Drops side by side, and the restitution of each over the speed. */
 export function Comparison({ drops }: { readonly drops: readonly KeptDrop[] }) {
   const compared = drops.map(({ name, restitution, restitutions }) => ({
     name,

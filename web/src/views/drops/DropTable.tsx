@@ -60,7 +60,7 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
           maxLength={120}
           onChange={(event) => {
             const name = event.currentTarget.value.trim();
-            // A drop is never nameless: what it was called stands there again.
+            // A drop always has a name: an empty one is replaced by the previous name.
             if (name === '') event.currentTarget.value = drop.name;
             else void alter(drop.id, { name });
           }}

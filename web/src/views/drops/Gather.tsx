@@ -5,7 +5,7 @@ import { FileButton } from '../../app/FileButton.tsx';
 import { type Gathered, gather } from '../../state/gathering.ts';
 import { text } from '../../text/language.ts';
 
-/** What is read now, and what came of it; files may also be dropped anywhere on the page. */
+/** The file that is read now, and the results; files may also be dropped anywhere on the page. */
 const reading = signal<string | null>(null);
 const gathered = signal<Gathered | null>(null);
 

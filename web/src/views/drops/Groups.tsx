@@ -7,7 +7,7 @@ import { engine } from '../../state/engine.ts';
 import type { KeptDrop } from '../../store/drops.ts';
 import { text } from '../../text/language.ts';
 
-/** What the drops say together, by groups: the study of the program. */
+/** The study of all drops by groups, as `session` of the program computes it. */
 export function Groups({ drops }: { readonly drops: readonly KeptDrop[] }) {
   const [tried, setTried] = useState(false);
   const unknown = drops.filter(({ comparable }) => comparable === undefined).length;

@@ -9,7 +9,7 @@ import { CERTAIN, type Mark } from '../../wave/mark.ts';
 /** Whether the list is unfolded; the words of the result can ask for it. */
 export const listed = signal(false);
 
-/** The impacts as a table: all that the waveform shows, for those who do not see it, or want digits. */
+/** The impacts as a table: the content of the waveform for screen readers, and with digits. */
 export function ImpactTable() {
   return (
     <details
@@ -53,7 +53,7 @@ export function ImpactTable() {
   );
 }
 
-/** Restitutions by the places of their impacts. */
+/** Restitutions by the index of their impact. */
 const restitutions = computed(() => {
   const { impacts = [], per_impact } = drop.value ?? {};
   const places = new Map(impacts.map(({ number }, index) => [number, index]));

@@ -65,7 +65,7 @@ function saveJson(stem: string): void {
   saveText(text, 'application/json', `${stem}.json`);
 }
 
-/** Whether a drop could be kept. */
+/** The result of keeping a drop. */
 interface Attempt {
   readonly recording: Recording;
   readonly drop: number;

@@ -12,7 +12,7 @@ import { Troubles } from './Troubles.tsx';
 import { WaveEditor } from './WaveEditor.tsx';
 import { Welcome } from './Welcome.tsx';
 
-/** The laboratory: from a button, downwards, to everything the bounces say. */
+/** The laboratory: the button to listen, then the answer, the waveform, the figures and all numbers. */
 export function Laboratory() {
   if (!workspace.value && !busy.value) return <Welcome />;
   return (

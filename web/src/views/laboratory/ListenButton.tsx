@@ -3,7 +3,7 @@ import { level, listen, stopListening } from '../../state/listening.ts';
 import { busy, fault, phase, workspace } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 
-/** The one button that matters. While listening it breathes with the sound. */
+/** The button to listen. While listening its size follows the level of the sound. */
 export function ListenButton({ small = false }: { readonly small?: boolean }) {
   const now = phase.value.kind;
   const listening = now === 'listening';

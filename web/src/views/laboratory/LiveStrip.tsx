@@ -5,7 +5,7 @@ import { phase } from '../../state/workspace.ts';
 import { language, text } from '../../text/language.ts';
 import { paintLive } from '../../wave/live-painter.ts';
 
-/** The last seconds of the sound, running by, each impact marked as soon as it is known. */
+/** The last seconds of the sound, scrolling; each impact is marked as soon as it is detected. */
 export function LiveStrip() {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {
@@ -36,7 +36,7 @@ export function LiveStrip() {
   );
 }
 
-/** How far the reading of a file is. */
+/** The progress of reading a file. */
 function Progress({ share }: { readonly share: number | undefined }) {
   return share === undefined ? null : (
     <progress value={share} max={1} aria-label={text('page-lab-progress')} />

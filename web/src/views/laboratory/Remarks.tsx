@@ -3,7 +3,7 @@ import type { Diagnostic, PriorContraction } from '../../lab/index.ts';
 import { analysed, drop, refining } from '../../state/workspace.ts';
 import { language, text } from '../../text/language.ts';
 
-/** What is odd about the drop and its recording, and what it can and cannot determine. */
+/** The diagnostics of the drop and its recording, and what the drop can and cannot determine. */
 export function Remarks() {
   const result = drop.value;
   if (!result) return null;
@@ -41,7 +41,7 @@ function Messages({ of, kind }: MessagesProps) {
   );
 }
 
-/** How far the data narrowed what was known: the shorter the bar, the more was learnt. */
+/** The posterior's standard uncertainty over the prior's, as bars: a short bar is a quantity that the data determine. */
 function PriorContractions({ narrowed }: { readonly narrowed: readonly PriorContraction[] }) {
   return (
     <>

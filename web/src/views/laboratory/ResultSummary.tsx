@@ -11,7 +11,7 @@ import { Numbers } from './Numbers.tsx';
 import { Remarks } from './Remarks.tsx';
 import { Why } from './Why.tsx';
 
-/** What the bounces say, in words first. */
+/** The answer, a sentence first. */
 export function ResultSummary() {
   const result = drop.value;
   return (
@@ -79,10 +79,10 @@ function Count() {
   );
 }
 
-/** How much of the log-linear fit's loss is the air's. */
+/** The part of the loss by the log-linear fit that is due to the air. */
 function Air({ result }: { readonly result: Drop }) {
   const { posterior, per_impact, log_linear_fit } = result;
-  // The quick answer until the inference is there, so that nothing comes and goes.
+  // Until the inference is ready the quick answer is shown, so that the layout does not change.
   const withoutAir = (posterior ?? per_impact)?.restitution;
   if (!withoutAir || !log_linear_fit) return null;
   const spoken = language.value;

@@ -2,7 +2,7 @@ import { fileName, save } from '../../app/save.ts';
 import { workspace } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 
-/** Saves the sound on the loaded. */
+/** Saves the loaded sound. */
 export function SaveSound() {
   const loaded = workspace.value;
   if (!loaded?.pyramid) return null;

@@ -8,7 +8,7 @@ import { ballName, lawName, nameIn } from '../../text/names.ts';
 
 const OWN = 'own';
 const ABSOLUTE_ZERO_C = -273.15;
-/** The last flight of the log-linear fit where nobody says: the paper has ten. */
+/** The default last flight of the log-linear fit: the paper uses ten. */
 const USUAL_LAST = 10;
 
 const scaled = (value: number | undefined, factor: number): number | undefined =>
@@ -23,7 +23,7 @@ function questionOf(quantity: string): string | undefined {
   return found?.message;
 }
 
-/** Ball, air, gravity and drop: what is stated here, the rest is assumed. */
+/** Ball, air, gravity and drop: quantities that are not stated here are assumed. */
 export function SettingsForm() {
   return (
     <>

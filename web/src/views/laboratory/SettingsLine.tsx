@@ -6,7 +6,7 @@ import { language, text } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';
 import { SettingsForm } from './SettingsForm.tsx';
 
-/** What is known or assumed, in one line; unfolds into a form. */
+/** Stated and assumed quantities in one line, which unfolds into a form. */
 export function SettingsLine() {
   return (
     <section class="settings" aria-label={text('page-settings-title')}>
@@ -32,7 +32,7 @@ export function SettingsLine() {
   );
 }
 
-/** Marks what nobody stated. */
+/** Marks a quantity that was assumed. */
 const unlessStated = (stated: boolean): string => (stated ? '' : ` (${text('page-lab-assumed')})`);
 
 function ballInWords(): string {

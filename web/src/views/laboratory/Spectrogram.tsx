@@ -8,10 +8,10 @@ import { text } from '../../text/language.ts';
 export const showSpectrogram = signal(false);
 
 const ROWS = 128;
-/** The hand rests so long before it is computed anew, ms. */
+/** Delay after the last movement before the spectrogram is computed again, ms. */
 const REST = 120;
 
-/** What is seen, by pitch: a bounce is a thin upright line, a voice lies flat. */
+/** The visible part as a spectrogram: an impact is a thin vertical line, a voice is horizontal. */
 export function Spectrogram() {
   const canvas = useRef<HTMLCanvasElement>(null);
   const seen = view.value;
@@ -47,7 +47,7 @@ export function Spectrogram() {
   );
 }
 
-/** In shades of ink on paper, the lowest pitch at the bottom. */
+/** In shades of the text colour on the background, the lowest frequency at the bottom. */
 function paintSpectrogram(canvas: HTMLCanvasElement, picture: Picture): void {
   const context = canvas.getContext('2d');
   if (!context) return;

@@ -44,7 +44,7 @@ function Tool({ do: act, disabled = false, pressed, children }: ToolProps) {
   );
 }
 
-/** What can be done with the waveform, for those who do not know its keys. */
+/** Buttons for the actions of the waveform, each of which has a key too. */
 export function WaveTools() {
   return (
     <div class="wave-tools">

@@ -8,10 +8,10 @@ export const pasting = signal(false);
 /** The button that unfolds it, to which the keyboard returns. */
 export const PASTE = 'paste';
 
-/** What was typed into it last and made no sense, to be mended. */
+/** The last text of the box that could not be read, for correction. */
 export const draft = signal('');
 
-/** Hears the times in a text; if they make no sense the box stays, with the text. */
+/** Reads the times in a text; if it cannot, the box stays open with the text. */
 export async function analysePasted(text: string): Promise<void> {
   draft.value = text;
   await openTimes(text);

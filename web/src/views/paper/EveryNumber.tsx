@@ -3,7 +3,7 @@ import type { PaperFact } from '../../lab/index.ts';
 import { language, text } from '../../text/language.ts';
 import { nameIn } from '../../text/names.ts';
 
-/** Every number of the paper beside what is computed here. */
+/** Every number of the paper next to the computed one. */
 export function EveryNumber({ facts }: { readonly facts: readonly PaperFact[] }) {
   const chapters = [...new Set(facts.map(({ chapter }) => chapter))];
   return (

@@ -8,7 +8,7 @@ import type { PuzzleChoice } from '../../lab/index.ts';
 import { engine } from '../../state/engine.ts';
 import { language, parts, text } from '../../text/language.ts';
 
-const MOST_FLIGHTS = 40;
+const MAX_FLIGHTS = 40;
 /** What a bounce loses for each m/s when ten flights reproduce the paper (`bouncelab paper`). */
 const SOLVING_SLOPE = 0.02374;
 const FIRST: PuzzleChoice = { restitution: 0.935, loss_per_speed_s_m: 0, flights: 10 };
@@ -47,7 +47,7 @@ export function Puzzle() {
         <Slider
           label={text('page-paper-four-flights')}
           min={3}
-          max={MOST_FLIGHTS}
+          max={MAX_FLIGHTS}
           step={1}
           value={choice.flights}
           shown={fixed(choice.flights, 0, spoken)}

@@ -8,7 +8,7 @@ import { language, parts, text } from '../../text/language.ts';
 import { RunTools } from './RunTools.tsx';
 import { Sliders } from './Sliders.tsx';
 
-/** Drop a ball that does not exist: sliders on one side, what follows on the other. */
+/** Simulates a drop: sliders on one side, results on the other. */
 export function Simulate() {
   const done = outcome.value;
   const compared = [
@@ -46,7 +46,7 @@ export function Simulate() {
   );
 }
 
-/** What becomes of the ball, in words. */
+/** The simulated drop in a sentence. */
 function Outcome({ simulation }: { readonly simulation: Simulation }) {
   const spoken = language.value;
   const energy = simulation.initial_energy_j;
