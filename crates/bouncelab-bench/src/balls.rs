@@ -5,9 +5,9 @@
 //! cargo xtask balls 100
 //! ```
 //!
-//! simulates so many drops of each preset ball (restitution 0.6 to 0.9 at 1 m/s, falling with the speed
-//! or not; scatter 0.3 %, times good to 50 µs) from 0.3 to 1.5 m and as many from 2.5 m, and prints the
-//! table of `docs/validation.md`.
+//! simulates this number of drops of each preset ball (restitution 0.6 to 0.9 at 1 m/s, falling with the speed
+//! or not; scatter 0.3 %, times good to 50 µs) from 0.3 to 1.5 m and as many from 2.5 m, and prints
+//! `docs/tables/balls.txt`.
 
 use bouncelab::Impact;
 use bouncelab::analysis::{Drop, analyze_impacts};

@@ -8,7 +8,7 @@
 //! cargo xtask calibrate 4000
 //! ```
 //!
-//! prints the table of `docs/validation.md` and writes `calibration.csv`, of which `cargo xtask book` draws its
+//! prints `docs/tables/calibration.txt` and writes `calibration.csv`, of which `cargo xtask book` draws its
 //! figure, into the folder that the second argument names. The first is the number of drops for each scenario.
 
 use std::path::PathBuf;

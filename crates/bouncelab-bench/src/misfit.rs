@@ -7,7 +7,7 @@
 //! cargo xtask calibrate scenarios 300
 //! ```
 //!
-//! prints the second table of `docs/validation.md`; the argument is the number of drops for each scenario,
+//! prints `docs/tables/scenarios.txt`; the argument is the number of drops for each scenario,
 //! and names of scenarios after it leave out all others. Names of restitution laws leave out the others of those.
 //! With `impacts=4` no drop has more impacts than that.
 

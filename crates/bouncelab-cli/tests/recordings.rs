@@ -1,7 +1,7 @@
 //! Real recordings: impacts found, drops counted, nothing where nothing is.
 //!
 //! They are not part of the project. `BOUNCELAB_RECORDINGS` names a folder with them and a
-//! `truth.json` of impact times. What `docs/trust.md` and `docs/validation.md` quote of those that they mean is compared.
+//! `truth.json` of impact times. The tests compare the numbers that `docs/trust.md` and `docs/validation.md` quote.
 
 use std::path::Path;
 
@@ -10,9 +10,9 @@ use bouncelab_testkit::recordings;
 use serde_json::Value;
 use tempfile::TempDir;
 
-/// An impact is found if it is heard within this many seconds of the truth.
+/// An impact is found if it is detected within this many seconds of the truth.
 const TOLERANCE_S: f64 = 0.008;
-/// A detector may rightly hear more of a fading drop than the truth lists.
+/// A detector may rightly detect more impacts of a fading drop than the truth lists, for this many seconds.
 const FADING_S: f64 = 1.2;
 
 #[test]
@@ -46,7 +46,7 @@ fn drops_in_real_recordings_are_found_and_none_is_invented() {
     is_in_the_documents(&scores);
 }
 
-/// The rows of the recordings that `docs/trust.md` names, and that of their means, where all are at hand.
+/// `docs/trust.md` has these scores of the recordings that it names, and their means if all of them exist.
 fn is_in_the_documents(scores: &[Score]) {
     let page = document("trust");
     let (_, section) = page.split_once("\n## Real recordings\n").unwrap();
@@ -112,8 +112,7 @@ fn a_late_start_is_noticed() {
     assert!(words.join(" ").contains(&quoted), "{quoted}");
 }
 
-/// The height by the log-linear fit depends on the flights that it uses, that by the inference does not: the table of
-/// `docs/validation.md` has both as the figure `truncation`.
+/// The table of `docs/validation.md` has the heights of the figure `truncation`.
 #[test]
 #[ignore = "reads the recordings in BOUNCELAB_RECORDINGS"]
 fn the_heights_of_the_truncation_are_those_of_the_document() {
@@ -177,15 +176,15 @@ fn list<T>(values: &Value, of: impl Fn(&Value) -> T) -> Vec<T> {
 /// How well the drops of a recording are found.
 struct Score {
     name: String,
-    /// Drops that it holds, and that are found.
+    /// The number of drops in it, and of drops that are found.
     drops: usize,
     found: usize,
-    /// Impacts that the truth lists, and that are reported.
+    /// The number of impacts that the truth lists, and of those that are reported.
     listed: usize,
     reported: usize,
-    /// Harmonic mean of precision and recall, without the impacts after the last one listed.
+    /// Harmonic mean of precision and recall, not counting impacts after the last listed one.
     f1: f64,
-    /// The same where these are counted as false.
+    /// The same, counting these as false.
     late_counted: f64,
 }
 

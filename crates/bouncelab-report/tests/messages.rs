@@ -125,7 +125,7 @@ fn every_diagnostic_has_a_sentence_with_no_other_arguments_than_its_own() {
     }
 }
 
-/// The English sentences of the diagnostics, with `…` in the place of each argument.
+/// The English sentences of the diagnostics by message id, with `…` for each argument.
 fn sentences() -> BTreeMap<String, String> {
     let file = root().join("crates/bouncelab-report/messages/en/diagnostics.ftl");
     let parsed: Resource<String> = parser::parse(fs::read_to_string(file).unwrap()).unwrap();
@@ -136,7 +136,7 @@ fn sentences() -> BTreeMap<String, String> {
     sentences.collect()
 }
 
-/// A message as it is printed: of variants the default one.
+/// A message as it is printed, with the default variant of each selection.
 fn printed(pattern: &Pattern<String>) -> String {
     let parts = pattern.elements.iter().map(|element| match element {
         PatternElement::TextElement { value } => value.replace('\n', " "),

@@ -5,8 +5,8 @@
 //! cargo xtask verdicts 100 3
 //! ```
 //!
-//! prints the table of `docs/validation.md`; the first number is of balls for each line, the second
-//! leaves only the lines of so many drops.
+//! prints the tables of `docs/validation.md` and `docs/tables/verdicts.txt`. The first number is the balls of each line; the
+//! second chooses the lines of this number of drops.
 
 mod ball;
 

@@ -1,6 +1,5 @@
-//! The book in `docs`: the commands of the program in it run and print what it says, its links lead somewhere, and its
-//! reference of commands and the pictures that these commands draw are those of the program. So do the commands of
-//! `README.md`, whose numbers are those of a real recording.
+//! The book in `docs`: its commands run and print the quoted output, its links resolve, and its reference and pictures are
+//! those that the program makes. The commands of `README.md` run too; its numbers are those of a real recording.
 //!
 //! With `BOUNCELAB_BOOK=write` (`cargo xtask book`) pictures and reference are written instead of compared.
 
@@ -18,7 +17,7 @@ use bouncelab_testkit::damage;
 use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 use tempfile::TempDir;
 
-/// What becomes of a command that this test does not run.
+/// Why this test does not run a command.
 enum Elsewhere {
     /// This check of `cargo xtask test` runs it, or one that does the same.
     Check(&'static str),
@@ -28,10 +27,10 @@ enum Elsewhere {
 
 use Elsewhere::{Check, Never};
 
-/// Often on less than on the page, for which it takes hours.
+/// The check runs it on less than the page does, which takes hours.
 const MEASURED: Elsewhere = Check("measurements");
 
-/// How the commands begin that run elsewhere or nowhere. The first that fits holds.
+/// The beginnings of commands that this test does not run. The first match counts.
 const ELSEWHERE: [(&str, Elsewhere); 25] = [
     ("bouncelab listen --devices", Check("card")),
     ("bouncelab listen --ball tennis --save", Check("card")),
@@ -73,7 +72,7 @@ const ELSEWHERE: [(&str, Elsewhere); 25] = [
     ("BOUNCELAB_LABORATORY=", Check("python")),
 ];
 
-/// What the pages assume to be there: recordings of these drops.
+/// The recordings that the pages assume: beginnings of their names, and options of `synth`.
 const RECORDINGS: [(&str, &str); 4] = [
     ("drop", "--height 30.5cm --restitution 0.91"),
     (
@@ -90,7 +89,7 @@ const RECORDINGS: [(&str, &str); 4] = [
     ),
 ];
 
-/// What phones and browsers write, of the drops of the test kit, and what the pages call it.
+/// Encoded drops of the test kit, and their names on the pages.
 const ENCODED: [(&str, &str); 3] = [
     ("aac.m4a", "sounds/phone.m4a"),
     ("aac.m4a", "drop.m4a"),
@@ -108,7 +107,7 @@ struct Page {
 struct Block {
     language: String,
     code: String,
-    /// Whether it stands right after the block before it.
+    /// Whether it directly follows the block before it.
     follows: bool,
 }
 
@@ -146,7 +145,7 @@ impl Page {
         blocks
     }
 
-    /// Where its links and pictures lead.
+    /// The targets of its links and pictures.
     fn links(&self) -> Vec<String> {
         let links = self.events().filter_map(|event| match event {
             Event::Start(Tag::Link { dest_url, .. } | Tag::Image { dest_url, .. }) => {
@@ -195,7 +194,7 @@ fn name(path: &Path) -> String {
     path.to_string_lossy().into_owned()
 }
 
-/// A path without `..`; `None` if it leads out of the folder that it begins in.
+/// A path without `..`; `None` if it leaves the folder in which it begins.
 fn tidy(path: &Path) -> Option<PathBuf> {
     let mut tidy = PathBuf::new();
     for part in path.components() {
@@ -214,7 +213,7 @@ fn pages() -> Vec<Page> {
     listed.map(|link| Page::read(link.into())).collect()
 }
 
-/// The files below a folder of the book that end so.
+/// The files below a folder of the book with this ending.
 fn files(folder: &Path, ending: &str) -> BTreeSet<PathBuf> {
     let mut found = BTreeSet::new();
     for entry in fs::read_dir(docs().join(folder)).unwrap() {
@@ -233,7 +232,7 @@ fn is_written() -> bool {
     std::env::var_os("BOUNCELAB_BOOK").is_some_and(|word| word == "write")
 }
 
-/// Compares a file of the book with what the program makes of it, or writes it.
+/// Compares a file of the book with the output of the program, or writes it.
 fn made(path: &Path, content: &[u8]) {
     let file = docs().join(path);
     if is_written() {
@@ -256,9 +255,9 @@ fn every_page_is_in_the_summary() {
     assert_eq!(listed, there);
 }
 
-/// A symptom is recognised by what the program prints, so the sentences are those of the diagnostics.
+/// Readers look for a symptom by the sentence that the program prints, so it is that of the diagnostic.
 #[test]
-fn symptoms_quote_what_is_printed() {
+fn symptoms_quote_the_diagnostics() {
     let symptoms = Page::read("how-to/symptoms.md".into()).text;
     let printed = Page::read("diagnostics.md".into()).text;
     let heading = symptoms
@@ -328,7 +327,7 @@ fn every_link_of_the_other_documents_leads_somewhere() {
     assert!(broken.is_empty(), "{broken:#?}");
 }
 
-/// A folder with what the pages assume, and the program on the path.
+/// A folder with the files that the pages assume, and the program on the path.
 struct Scene(TempDir);
 
 impl Scene {
@@ -392,7 +391,7 @@ impl Scene {
         fs::write(self.0.path().join("phyphox.csv"), phone).unwrap();
     }
 
-    /// Runs a command; a verdict may go either way. What it prints.
+    /// Runs a command and returns its output. A verdict may pass or fail.
     fn run(&self, command: &str) -> String {
         let program = Path::new(env!("CARGO_BIN_EXE_bouncelab")).parent().unwrap();
         let paths = std::env::var_os("PATH").unwrap_or_default();
@@ -413,16 +412,16 @@ impl Scene {
         } else {
             &[0]
         };
-        let said = String::from_utf8_lossy(&stderr);
+        let errors = String::from_utf8_lossy(&stderr);
         assert!(
             verdicts.contains(&status.code().unwrap()),
-            "{command}: {said}"
+            "{command}: {errors}"
         );
         String::from_utf8(stdout).unwrap()
     }
 
-    /// Runs the commands of a page in their order. A text right after them is part of what they print, a block of
-    /// TOML the file that its first line names, or else `own.toml`, and a picture that they draw that of the book.
+    /// Runs the commands of a page in their order. A text right after them is a part of their output, a block of TOML is
+    /// the file that its first line names, or else `own.toml`, and a picture that they draw is that of the book.
     fn follow(&self, page: &Page) {
         let mut printed = String::new();
         for block in page.blocks() {
@@ -459,7 +458,7 @@ fn lines(code: &str) -> Vec<String> {
     lines.map(str::to_owned).collect()
 }
 
-/// Where a command runs that does not run here.
+/// The index in `ELSEWHERE` of a command that does not run here.
 fn elsewhere(command: &str) -> Option<usize> {
     ELSEWHERE
         .iter()
@@ -491,7 +490,7 @@ fn has_lines(printed: &str, excerpt: &str, page: &Path) {
 }
 
 #[test]
-fn the_tutorial_says_what_happens() {
+fn the_tutorial_quotes_the_output() {
     let scene = Scene::set();
     scene.follow(&Page::read("tutorial.md".into()));
 }
@@ -518,7 +517,7 @@ fn the_commands_of_the_readme_run() {
 }
 
 #[test]
-fn the_readme_counts_the_rules_that_are_built_in() {
+fn the_readme_counts_the_built_in_rules() {
     let scene = Scene(TempDir::new().unwrap());
     let list = scene.run("bouncelab rules list");
     // Below the heading and a line.
@@ -528,7 +527,7 @@ fn the_readme_counts_the_rules_that_are_built_in() {
 }
 
 #[test]
-fn the_readme_says_what_a_real_recording_gives() {
+fn the_readme_quotes_the_output_for_a_real_recording() {
     let Some(folder) = std::env::var_os("BOUNCELAB_RECORDINGS") else {
         println!("SKIPPED: BOUNCELAB_RECORDINGS names no folder of real recordings");
         return;
@@ -548,7 +547,7 @@ fn readme() -> Page {
 }
 
 #[test]
-fn every_command_runs_here_or_it_is_said_where() {
+fn every_command_runs_here_or_is_listed_as_run_elsewhere() {
     let mut used = BTreeSet::new();
     for page in pages().into_iter().chain([readme()]) {
         let blocks = page.blocks().into_iter();
@@ -562,10 +561,7 @@ fn every_command_runs_here_or_it_is_said_where() {
             assert!(is_known, "{}: nothing runs \"{command}\"", name(&page.path));
             if let Some(rest) = command.strip_prefix("cargo xtask ") {
                 let chore = rest.split(' ').next().unwrap_or_default();
-                assert!(
-                    is_named("main", chore),
-                    "there is no chore {chore}: {command}"
-                );
+                assert!(is_chore(chore), "there is no chore {chore}: {command}");
             }
         }
     }
@@ -595,7 +591,7 @@ fn commands_and_options_within_sentences_exist() {
             let wrong = format!("{}: \"{code}\"", name(&page.path));
             let help = match words.as_slice() {
                 ["cargo", "xtask", chore, ..] => {
-                    assert!(is_named("main", chore), "{wrong}");
+                    assert!(is_chore(chore), "{wrong}");
                     continue;
                 }
                 ["bouncelab", "help" | "COMMAND", ..] | ["bouncelab"] | [] => continue,
@@ -617,6 +613,13 @@ fn commands_and_options_within_sentences_exist() {
             }
         }
     }
+}
+
+/// Whether `cargo xtask` has a chore or a measuring program of this name.
+fn is_chore(name: &str) -> bool {
+    ["main", "measure"]
+        .iter()
+        .any(|module| is_named(module, name))
 }
 
 /// Whether a module of the chores has an entry of this name in its table.

@@ -1,4 +1,4 @@
-//! The figures of what takes minutes or hours to measure are those of the tables that the measuring commands printed.
+//! Figures and summaries of long measurements are those of the tables that the measuring commands printed.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -16,7 +16,7 @@ fn is_made(name: &str, chart: &Chart) {
     made(&path, chart.svg().as_bytes());
 }
 
-/// A table of `docs/tables`, as a measuring command printed it: its heading, a line, and its rows.
+/// A table of `docs/tables`, as a measuring command printed it: a heading, a line, and rows.
 fn table(name: &str) -> String {
     let file = Path::new("tables").join(name).with_extension("txt");
     fs::read_to_string(docs().join(&file)).unwrap_or_else(|reason| panic!("{name}: {reason}"))
@@ -65,20 +65,20 @@ fn the_figure_of_calibration_is_that_of_its_table() {
     is_made("calibration", &chart);
 }
 
-/// The row of a page that begins so, without its first cell.
+/// The cells after the first of the row of a page that begins with `start`.
 fn row<'a>(page: &'a Page, start: &str) -> Vec<&'a str> {
     let line = page.text.lines().find(|line| line.starts_with(start));
     let line = line.unwrap_or_else(|| panic!("{}: no row {start}", name(&page.path)));
     cells(line).split_off(1)
 }
 
-/// Of one scenario and each quantity the percentages of the intervals of 68 and of 95 % that hold the truth.
+/// For each quantity of a scenario, the percentages of the 68 % and of the 95 % intervals that contain the truth.
 fn coverage<'a>(table: &'a str, scenario: &str) -> Vec<[&'a str; 2]> {
     let rows = rows(table).into_iter().filter(|row| row[0] == scenario);
     rows.map(|row| [row[3], row[4]]).collect()
 }
 
-/// What pages repeat of the tables that were measured, and of each other, is the same everywhere.
+/// Pages repeat the numbers of the tables, and of each other, unchanged.
 #[test]
 fn summaries_have_the_numbers_of_the_tables() {
     let page = |name: &str| Page::read(name.into());
@@ -232,9 +232,9 @@ fn detectors(rows: &[Vec<&str>]) -> Vec<Curve> {
     }
     let named = names.iter().zip(sums).enumerate().skip(1);
     named
-        .map(|(place, (name, sums))| Curve {
+        .map(|(index, (name, sums))| Curve {
             name: (*name).to_owned(),
-            meaning: if place == 1 {
+            meaning: if index == 1 {
                 Meaning::Measured
             } else {
                 Meaning::Plain
