@@ -7,7 +7,7 @@ use bouncelab::detection::Envelope;
 use bouncelab::{Diagnostic, Options};
 use bouncelab_report::chart::Chart as Data;
 use bouncelab_report::document::Document;
-use bouncelab_report::figure::{self, Mark, Subject};
+use bouncelab_report::figure::{self, FigureInput, Mark};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::quantities;
 use bouncelab_report::report::{self, Block, Provenance};
@@ -107,8 +107,8 @@ impl Recording {
         &self.result().drops[drop]
     }
 
-    fn subject(&self, drop: usize) -> Subject<'_> {
-        Subject::new(self.at(drop), &self.analyzer.setup.options)
+    fn input(&self, drop: usize) -> FigureInput<'_> {
+        FigureInput::new(self.at(drop), &self.analyzer.setup.options)
     }
 
     /// The figures of the recording as a whole, with their names.
@@ -224,8 +224,8 @@ impl Recording {
     #[pyo3(signature = (drop = None))]
     fn figure_names(&self, drop: Option<usize>) -> Vec<&'static str> {
         if let Some(drop) = drop {
-            let subject = self.subject(drop);
-            return figure::of_drop(&subject).map(|it| it.name).collect();
+            let input = self.input(drop);
+            return figure::of_drop(&input).map(|it| it.name).collect();
         }
         let charts = self.own_charts(&Translator::english()).into_iter();
         charts.map(|(name, _)| name).collect()
@@ -236,7 +236,7 @@ impl Recording {
     fn figure(&self, name: &str, language: &str, drop: Option<usize>) -> Result<Chart> {
         let words = translator(language)?;
         let chart = if let Some(drop) = drop {
-            figure::chart(name, &self.subject(drop), &words)
+            figure::chart(name, &self.input(drop), &words)
         } else {
             let mut charts = self.own_charts(&words).into_iter();
             charts.find(|(own, _)| *own == name).map(|(_, chart)| chart)
@@ -251,14 +251,14 @@ impl Recording {
     /// The report, its details unfolded or not.
     fn page(&self, py: Python<'_>, language: &str, unfolded: bool) -> Result<Page> {
         let words = translator(language)?;
-        let subject = report::Recording {
+        let input = report::ReportInput {
             name: &self.name,
             setup: &self.analyzer.setup,
             result: self.result(),
         };
         Ok(Page(py.detach(|| report::Page {
             unfolded,
-            ..report::of_recording(&subject, &Provenance::default(), &words)
+            ..report::of_recording(&input, &Provenance::default(), &words)
         })))
     }
 }

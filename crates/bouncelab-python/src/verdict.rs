@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use bouncelab::rulebook::{self, Conditions, Decision, Place, Rule, Verdict as Judged};
-use bouncelab_report::document::verdict::{Judgement, VerdictDocument};
+use bouncelab_report::document::verdict::{Evaluation, VerdictDocument};
 use bouncelab_report::figure;
 use bouncelab_report::report::Provenance;
 use bouncelab_report::report::verdict::of_verdict;
@@ -117,8 +117,8 @@ pub(crate) struct Verdict {
 }
 
 impl Verdict {
-    fn judgement(&self) -> Judgement<'_> {
-        Judgement {
+    fn evaluation(&self) -> Evaluation<'_> {
+        Evaluation {
             rule: &self.rule,
             setup: &self.analyzer.setup,
             decision: self.decision,
@@ -134,7 +134,7 @@ impl Verdict {
     /// The document of the schema `bouncelab.verdict/2`.
     fn document(&self, language: &str) -> Result<String> {
         let words = translator(language)?;
-        let document = VerdictDocument::new(&self.judgement(), &words);
+        let document = VerdictDocument::new(&self.evaluation(), &words);
         Ok(serde_json::to_string(&document)?)
     }
 
@@ -142,7 +142,7 @@ impl Verdict {
     fn page(&self, language: &str) -> Result<Page> {
         let words = translator(language)?;
         let provenance = Provenance::default();
-        Ok(Page(of_verdict(&self.judgement(), &provenance, &words)))
+        Ok(Page(of_verdict(&self.evaluation(), &provenance, &words)))
     }
 
     /// What it is about, against the limits of the rule.

@@ -15,10 +15,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     std::fs::create_dir_all(&folder)?;
     std::fs::write(folder.join(STYLE), style())?;
     for language in languages() {
-        let words = Translator::new(language).ok_or("a language has no messages")?;
+        let translator = Translator::new(language).ok_or("a language has no messages")?;
         for sheet in Sheet::ALL {
             let name = format!("{}.{language}.html", sheet.name());
-            std::fs::write(folder.join(name), sheet.html(&words)?)?;
+            std::fs::write(folder.join(name), sheet.html(&translator)?)?;
         }
     }
     Ok(())

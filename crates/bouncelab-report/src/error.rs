@@ -3,9 +3,9 @@
 use bouncelab::Plain;
 use std::path::PathBuf;
 
-/// What can go wrong when results are drawn, saved and judged.
+/// What can go wrong when results are drawn, saved and evaluated.
 ///
-/// Drawing itself never fails: a figure without usable data says so on its face.
+/// Drawing itself never fails: a figure without usable data states so itself.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -27,7 +27,7 @@ pub enum Error {
     Picture {
         /// Title of the figure.
         title: String,
-        /// What the drawing library said.
+        /// The message of the drawing library.
         problem: String,
     },
     /// A file of rules cannot be opened.
@@ -35,10 +35,10 @@ pub enum Error {
     Unreadable {
         /// The file.
         file: String,
-        /// What the operating system said.
+        /// The message of the operating system.
         source: std::io::Error,
     },
-    /// A file of rules makes no sense.
+    /// A file of rules is invalid.
     #[error("{file}, line {line}, column {column}: {}", Plain::of(problem))]
     Rules {
         /// The file, or what the rules are called.
@@ -66,7 +66,7 @@ pub enum Error {
     Folder {
         /// The folder.
         folder: PathBuf,
-        /// What the operating system said.
+        /// The message of the operating system.
         source: std::io::Error,
     },
     /// A figure could not be written.
@@ -78,12 +78,12 @@ pub enum Error {
     Write {
         /// The file that was to be written.
         path: PathBuf,
-        /// What the operating system said.
+        /// The message of the operating system.
         source: std::io::Error,
     },
 }
 
-/// What to do about a file that the system does not let us write; nothing if the reason says it.
+/// What to do about a file that the system does not let us write; nothing if the reason states it.
 pub fn advice(reason: &std::io::Error) -> &'static str {
     use std::io::ErrorKind;
     match reason.kind() {

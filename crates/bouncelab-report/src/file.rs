@@ -1,8 +1,8 @@
 //! Writes files: completely or not at all, and never over what a person would miss.
 //!
-//! A file is written beside its place under a hidden name, and renamed when it is on the disk. A reader
+//! A file is written in its folder under a hidden name, and renamed when it is on the disk. A reader
 //! sees the old file or the new one, never a part, whatever interrupts the program. [`Outputs`] decides
-//! which files may be replaced: never an input nor another output of the command, and only files of bouncelab, known by a
+//! which files may be replaced: never an input nor another output of the command, and only files of bouncelab, identified by a
 //! mark in them, unless replacing was asked for.
 //!
 //! ```
@@ -38,7 +38,7 @@ use tempfile::NamedTempFile;
 
 use crate::mark::Mark;
 
-/// The content of a file that a person wrote: at most so many MB, and no device or pipe, which may have no end.
+/// The content of a file of notes: at most `max_mb` MB, and no device or pipe, which may be endless.
 ///
 /// # Errors
 ///
@@ -49,18 +49,17 @@ use crate::mark::Mark;
 ///
 /// assert!(read_noted(std::path::Path::new("."), 1).unwrap_err().to_string().contains("is no file"));
 /// ```
-pub fn read_noted(path: &Path, most_mb: u64) -> io::Result<Vec<u8>> {
+pub fn read_noted(path: &Path, max_mb: u64) -> io::Result<Vec<u8>> {
     let about = fs::metadata(path)?;
-    if !about.is_file() || about.len() > most_mb << 20 {
-        let problem = format!(
-            "it is no file of notes: a device, a pipe, a folder, or more than {most_mb} MB"
-        );
+    if !about.is_file() || about.len() > max_mb << 20 {
+        let problem =
+            format!("it is no file of notes: a device, a pipe, a folder, or more than {max_mb} MB");
         return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
     }
     let mut content = Vec::new();
     // It may grow meanwhile.
     File::open(path)?
-        .take(most_mb << 20)
+        .take(max_mb << 20)
         .read_to_end(&mut content)?;
     Ok(content)
 }
@@ -68,7 +67,7 @@ pub fn read_noted(path: &Path, most_mb: u64) -> io::Result<Vec<u8>> {
 /// Which files a command may write.
 #[derive(Debug)]
 pub struct Outputs {
-    /// What it reads, by the place on the disk: a file may have several names.
+    /// What it reads, by the position on the disk: a file may have several names.
     inputs: HashSet<FileId>,
     /// What it has written, which another output of it does not replace.
     written: Written,
@@ -136,7 +135,7 @@ impl Outputs {
         Err(io::Error::new(io::ErrorKind::AlreadyExists, reason))
     }
 
-    /// Whether a file is none of the inputs, which no command writes, and none of the outputs that are written.
+    /// Whether a file is neither an input, which no command may write, nor another output.
     ///
     /// # Errors
     /// [`io::ErrorKind::AlreadyExists`] if it is one, and what the system reports if it cannot be read.
@@ -199,7 +198,7 @@ impl Outputs {
     }
 }
 
-/// Files by their place on the disk.
+/// Files by their position on the disk.
 #[derive(Clone, Debug, Default)]
 struct Written(Arc<Mutex<HashSet<FileId>>>);
 
@@ -254,7 +253,7 @@ fn unfinished() -> MutexGuard<'static, Vec<PathBuf>> {
 pub fn abandon_drafts() {
     let drafts = unfinished();
     for draft in drafts.iter() {
-        // Nobody is left to be told.
+        // There is no caller left to report it to.
         let _ = fs::remove_file(draft);
     }
     std::mem::forget(drafts);
@@ -284,7 +283,7 @@ impl Drop for Listed {
 
 impl Draft {
     /// Begins a file, in the folder in which it will be, with the permissions of any new file. Where
-    /// the place is a link, the file to which it leads is written, and the link remains.
+    /// the path is a link, the file to which it leads is written, and the link remains.
     fn new(path: &Path, written: &Written) -> io::Result<Self> {
         let path = match fs::canonicalize(path) {
             Ok(end) if path.is_symlink() => end,
@@ -364,7 +363,7 @@ pub fn create_folder(folder: &Path) -> io::Result<()> {
     made.into_iter().try_for_each(sync_name)
 }
 
-/// Removes the drafts that interrupted programs left in a folder. Nobody else may be writing there.
+/// Removes the drafts that interrupted programs left in a folder, in which no other program may be writing.
 ///
 /// # Errors
 /// What the system reports if the folder cannot be read or a draft not be removed.
@@ -380,7 +379,7 @@ pub fn remove_drafts(folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// So much at each end of a file is searched.
+/// Bytes searched at each end of a file.
 const ENDS: u64 = 4096;
 
 impl Mark {
@@ -399,7 +398,7 @@ impl Mark {
     }
 }
 
-/// What stands in a file from a place on, 4 kB at most.
+/// The content of a file from a position on, 4 kB at most.
 fn part(mut file: &File, start: u64) -> io::Result<Vec<u8>> {
     let mut part = Vec::new();
     file.seek(SeekFrom::Start(start))?;
@@ -418,7 +417,7 @@ mod tests {
 
     const CONTENT: &[u8] = b"<!-- made by bouncelab -->, and more";
 
-    fn place(content: &[u8]) -> (tempfile::TempDir, PathBuf) {
+    fn file_with(content: &[u8]) -> (tempfile::TempDir, PathBuf) {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("file.md");
         fs::write(&path, content).unwrap();
@@ -427,8 +426,8 @@ mod tests {
 
     #[test]
     fn a_file_of_somebody_else_is_replaced_only_on_request() {
-        let (_folder, path) = place(b"my notes");
-        let mention = place(b"The figures were made by bouncelab.");
+        let (_folder, path) = file_with(b"my notes");
+        let mention = file_with(b"The figures were made by bouncelab.");
         assert!(Outputs::default().check(&mention.1, MARKDOWN).is_err());
         let refusal = Outputs::default()
             .write(&path, MARKDOWN, CONTENT)
@@ -451,7 +450,7 @@ mod tests {
     #[cfg(unix)]
     #[test]
     fn an_input_is_never_replaced_by_whatever_name() {
-        let (folder, path) = place(CONTENT);
+        let (folder, path) = file_with(CONTENT);
         let at = |name: &str| folder.path().join(name);
         std::os::unix::fs::symlink(&path, at("link")).unwrap();
         std::os::unix::fs::symlink("link", at("link-to-link")).unwrap();
@@ -476,7 +475,7 @@ mod tests {
 
     #[test]
     fn an_output_is_not_replaced_by_another_of_the_same_command() {
-        let (folder, path) = place(b"");
+        let (folder, path) = file_with(b"");
         let outputs = Outputs::new([""; 0], true);
         outputs.write(&path, MARKDOWN, CONTENT).unwrap();
         let same = folder.path().join("./file.md");
@@ -493,7 +492,7 @@ mod tests {
 
     #[test]
     fn a_draft_that_is_dropped_leaves_nothing_behind() {
-        let (folder, path) = place(b"");
+        let (folder, path) = file_with(b"");
         drop(Outputs::default().draft(&path, MARKDOWN).unwrap());
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
         assert!(

@@ -49,7 +49,7 @@
 //! | [`link`] | a drop as the end of a link |
 //! | [`paper`] | the paper, recomputed |
 //! | [`report`] | an analysis as a page to read, print and repeat |
-//! | [`groups`] | what many drops say together |
+//! | [`groups`] | the study of many drops |
 //! | [`sheets`] | lesson sheets |
 //!
 //! All but [`file`](mod@file) and [`save()`] work in a browser. The feature `pictures` (on by default)

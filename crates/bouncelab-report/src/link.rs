@@ -17,7 +17,7 @@
 //!
 //! Times are counted in steps of 10 µs. Written is by how much each flight differs from the one before it: small
 //! numbers, each in as few bytes as it takes. What was stated is JSON without what was
-//! not. A CRC-32 over all of it tells what was changed on the way; the text is Base64 for addresses (RFC 4648, section 5).
+//! not. A CRC-32 over all of it detects changes on the way; the text is Base64 for addresses (RFC 4648, section 5).
 
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
@@ -31,9 +31,9 @@ const STEPS_PER_S: f64 = 1e5;
 /// The last time in steps: ten days, while a recording lasts one at most.
 const LAST_STEP: i64 = 100_000_000_000;
 /// A drop has fewer impacts, and a QR code holds no more.
-const MOST_IMPACTS: usize = 1000;
+const MAX_IMPACTS: usize = 1000;
 /// Letters of a name; the rest is left out.
-const MOST_LETTERS: usize = 60;
+const MAX_LETTERS: usize = 60;
 /// The form of what is packed; another whenever it changes.
 const VERSION: u8 = 1;
 
@@ -87,7 +87,7 @@ impl LinkedDrop {
     ///
     /// # Errors
     ///
-    /// [`LinkProblem::Times`] if the times are none, do not increase by 10 µs at least, or are too many.
+    /// [`LinkProblem::Times`] if there are no times, too many, or some do not increase by at least 10 µs.
     ///
     /// # Panics
     ///
@@ -98,7 +98,7 @@ impl LinkedDrop {
             .iter()
             .map(|time_s| (time_s * STEPS_PER_S).round() as i64);
         let steps = train(steps.collect())?;
-        let name: String = self.name.chars().take(MOST_LETTERS).collect();
+        let name: String = self.name.chars().take(MAX_LETTERS).collect();
         let settings = stated(&self.settings).expect("settings are plain data");
         let settings = settings.to_string();
         let packed = Packed {
@@ -143,7 +143,7 @@ impl LinkedDrop {
 /// The times of a drop, in steps, if they can be that.
 fn train(steps: Vec<i64>) -> Result<Vec<i64>, LinkProblem> {
     let is_near = |step: &i64| (-LAST_STEP..=LAST_STEP).contains(step);
-    let is_train = (2..=MOST_IMPACTS).contains(&steps.len())
+    let is_train = (2..=MAX_IMPACTS).contains(&steps.len())
         && steps.iter().all(is_near)
         && steps.is_sorted_by(|a, b| a < b);
     is_train.then_some(steps).ok_or(LinkProblem::Times)

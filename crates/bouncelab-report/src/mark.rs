@@ -1,9 +1,9 @@
-//! By what files of bouncelab are known, which may be replaced.
+//! Marks that identify files of bouncelab, which may be replaced.
 //!
-//! Each kind of file has its mark where it is not seen, and at a place of its own, so that a text about bouncelab is
+//! Each kind of file has its mark where it is not seen, and at a position of its own, so that a text about bouncelab is
 //! not taken for one of its files.
 
-/// By what the files of one kind are known.
+/// What identifies the files of one kind.
 ///
 /// ```
 /// use bouncelab_report::mark::Mark;
@@ -29,7 +29,7 @@ impl Mark {
         }
     }
 
-    /// What stands within 4 kB of one of its ends.
+    /// A text within 4 kB of one of its ends.
     pub const fn near_an_end(text: &'static str) -> Self {
         Self::NONE.and_near_an_end(text)
     }
@@ -44,7 +44,7 @@ impl Mark {
     }
 }
 
-/// What most marks say.
+/// The text of most marks.
 pub(crate) const MARK: &str = "made by bouncelab";
 
 /// A comment in a report for a notebook.

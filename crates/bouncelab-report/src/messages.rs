@@ -49,8 +49,8 @@ const SOURCES: &[(&str, &[&str])] = include!(concat!(env!("OUT_DIR"), "/messages
 
 const ENGLISH: &str = "en";
 
-/// So many numbers are read at a glance.
-const MOST_IN_LIST: usize = 12;
+/// Longer lists of numbers are shortened.
+const MAX_IN_LIST: usize = 12;
 
 /// Codes of the languages that are part of this build. In a browser that is English; other languages
 /// are loaded ([`Translator::of_sources`]).
@@ -73,7 +73,7 @@ pub enum Value<'a> {
 }
 
 impl Value<'_> {
-    /// A number with so many decimals.
+    /// A number with this count of decimals.
     pub fn fixed(value: f64, decimals: usize) -> Self {
         Self::Number(format!("{value:.decimals$}"))
     }
@@ -365,7 +365,7 @@ impl Translator {
         }
     }
 
-    /// A number with so many decimals, as this language writes it; nothing if it is not finite.
+    /// A number with this count of decimals, as this language writes it; empty if it is not finite.
     pub fn fixed(&self, value: f64, decimals: usize) -> String {
         if value.is_finite() {
             self.number(&format!("{value:.decimals$}"))
@@ -375,7 +375,7 @@ impl Translator {
     }
 
     /// A text of numbers that are written with a decimal point, as this language writes them; what has
-    /// several points, as the number of a version, is none.
+    /// several points, such as the number of a version, is not a decimal number.
     pub fn number(&self, written: &str) -> String {
         let is_part = |c: char| c.is_ascii_digit() || c == '.';
         let mut text = String::with_capacity(written.len());
@@ -458,11 +458,11 @@ impl Translator {
     fn list(&self, numbers: &[usize]) -> String {
         let shown: Vec<_> = numbers
             .iter()
-            .take(MOST_IN_LIST)
+            .take(MAX_IN_LIST)
             .map(usize::to_string)
             .collect();
         let shown = shown.join(", ");
-        match numbers.len().saturating_sub(MOST_IN_LIST) {
+        match numbers.len().saturating_sub(MAX_IN_LIST) {
             0 => shown,
             more => self.text_with(
                 "list-more",

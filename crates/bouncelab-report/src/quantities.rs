@@ -2,7 +2,7 @@
 //!
 //! A quantity is one entry of `CATALOGUE`: how it follows from each method, its symbol, unit and level, and the
 //! message with its name. Every front end takes its list, the order and the digits from [`of_drop`], and decides
-//! only how the rows look and which [`Level`]s stand where.
+//! only how the rows look and where each [`Level`] is.
 //!
 //! ```
 //! use bouncelab::{Options, analyze_times};
@@ -109,7 +109,7 @@ impl Reported {
     }
 }
 
-/// How a method gives a quantity, and what to say of the value.
+/// How a method gives a quantity, and the note on its value.
 struct By<R: 'static> {
     estimate: fn(&R) -> Option<Estimate>,
     note: fn(&R, &Translator) -> Option<String>,
@@ -295,15 +295,15 @@ pub fn of_drop(drop: &Drop, options: &Options, translator: &Translator) -> Vec<Q
         translator,
     };
     let posterior = drop.posterior.as_ref().ok();
-    let inferred = posterior.map(|found| {
-        let predictions = found.predictions.iter();
+    let inferred = posterior.map(|posterior| {
+        let predictions = posterior.predictions.iter();
         let predictions = predictions.map(|prediction| reader.prediction(prediction));
-        let mut rows = reader.rows(Method::Inference, found, |entry| &entry.inferred);
+        let mut rows = reader.rows(Method::Inference, posterior, |entry| &entry.inferred);
         rows.extend(predictions);
         rows
     });
-    let per_impact = drop.per_impact.as_ref().ok().map(|found| {
-        let mut rows = reader.rows(Method::PerImpact, found, |entry| &entry.per_impact);
+    let per_impact = drop.per_impact.as_ref().ok().map(|result| {
+        let mut rows = reader.rows(Method::PerImpact, result, |entry| &entry.per_impact);
         // The inference is the answer if there is one; this checks it.
         if posterior.is_some() {
             rows.iter_mut().for_each(|row| row.level = Level::Details);
@@ -416,17 +416,17 @@ impl Reader<'_> {
 }
 
 /// The impact speed of the restitution.
-fn at_speed(found: &Posterior, translator: &Translator) -> Option<String> {
-    let speed = Quantity::rounded(found.at_speed_m_s, 3, Unit::Speed);
+fn at_speed(posterior: &Posterior, translator: &Translator) -> Option<String> {
+    let speed = Quantity::rounded(posterior.at_speed_m_s, 3, Unit::Speed);
     Some(translator.text_with("quantity-at-speed", &[("speed", speed.into())]))
 }
 
 /// How many impacts a median is of, and at which speeds.
-fn of_impacts(found: &PerImpact, translator: &Translator) -> Option<String> {
+fn of_impacts(result: &PerImpact, translator: &Translator) -> Option<String> {
     let impacts = [
-        ("count", found.impacts.len().into()),
-        ("slowest", Value::fixed(found.slowest_m_s?, 2)),
-        ("fastest", Value::fixed(found.fastest_m_s?, 2)),
+        ("count", result.impacts.len().into()),
+        ("slowest", Value::fixed(result.slowest_m_s?, 2)),
+        ("fastest", Value::fixed(result.fastest_m_s?, 2)),
     ];
     Some(translator.text_with("quantity-of-impacts", &impacts))
 }
@@ -438,11 +438,11 @@ fn of_flights(fit: &LogLinearFit, translator: &Translator) -> Option<String> {
 }
 
 /// Before which impact the fall of the drop height is: how many were missed before, or that it is the first detected.
-fn of_which_fall(found: &Posterior, translator: &Translator) -> Option<String> {
+fn of_which_fall(posterior: &Posterior, translator: &Translator) -> Option<String> {
     /// Smaller probabilities would be shown as 0 %.
     const MIN_SHOWN: f64 = 0.005;
-    let Some(probabilities) = &found.missed_first_impacts else {
-        return (!found.first_was_detected()).then(|| translator.text("quantity-first-fall"));
+    let Some(probabilities) = &posterior.missed_first_impacts else {
+        return (!posterior.first_was_detected()).then(|| translator.text("quantity-first-fall"));
     };
     let counts = probabilities.iter().enumerate();
     let likely = counts.filter(|(_, probability)| **probability >= MIN_SHOWN);
@@ -453,8 +453,8 @@ fn of_which_fall(found: &Posterior, translator: &Translator) -> Option<String> {
 }
 
 /// The drag coefficient before the data.
-fn before_data(found: &Posterior, translator: &Translator) -> Option<String> {
-    let prior = found.drag_coefficient_prior?;
+fn before_data(posterior: &Posterior, translator: &Translator) -> Option<String> {
+    let prior = posterior.drag_coefficient_prior?;
     if prior.sd == 0.0 {
         return Some(translator.text("quantity-known"));
     }

@@ -11,11 +11,11 @@ use bouncelab::Estimate;
 use crate::digits::{superscript, with_minus};
 use crate::messages::{Translator, Value};
 
-/// What is said of a value that is not known.
+/// What is shown in place of an unknown value.
 pub const CANNOT_TELL: &str = "cannot tell";
 
-/// Digits beyond which a double-precision number says nothing of use.
-const MOST_DIGITS: u8 = 12;
+/// Digits of a double-precision number that carry information.
+const MAX_DIGITS: u8 = 12;
 
 /// What a quantity is, and so its SI unit and the prefixes that suit it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -67,7 +67,7 @@ impl Unit {
     }
 }
 
-/// What is known about the precision of a value.
+/// The precision of a value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Precision {
     StandardError(f64),
@@ -191,7 +191,7 @@ impl Quantity {
     }
 
     /// The number and the symbol of its unit apart: `("30.4 ± 0.6", "cm")`. The symbol is
-    /// empty for a plain number and for a value that is not known.
+    /// empty for a plain number and for an unknown value.
     pub fn parts(&self) -> (String, &'static str) {
         let (value, error) = match self.precision {
             Precision::StandardError(error) => (self.value, error),
@@ -242,7 +242,7 @@ fn with_error(value: f64, error: f64) -> String {
 
 /// The value with a number of significant digits.
 fn with_digits(value: f64, digits: u8) -> String {
-    let decimals = digits.clamp(1, MOST_DIGITS) - 1;
+    let decimals = digits.clamp(1, MAX_DIGITS) - 1;
     let rounded = format!("{value:.*e}", usize::from(decimals));
     let (mantissa, power) = split(&rounded);
     if is_plain(power) {
@@ -254,7 +254,7 @@ fn with_digits(value: f64, digits: u8) -> String {
 
 /// The value with the digits it has, up to the last that means something.
 fn exact(value: f64) -> String {
-    let decimals = usize::from(MOST_DIGITS - 1);
+    let decimals = usize::from(MAX_DIGITS - 1);
     let rounded: f64 = format!("{value:.decimals$e}").parse().unwrap_or(value);
     let shortest = format!("{rounded:e}");
     let (mantissa, power) = split(&shortest);
@@ -267,7 +267,7 @@ fn exact(value: f64) -> String {
 
 /// Whether an error reaches the digits of the value that mean something.
 fn is_visible(error: f64, value: f64) -> bool {
-    let last = leading_place(value) - i32::from(MOST_DIGITS);
+    let last = leading_place(value) - i32::from(MAX_DIGITS);
     error > 0.0 && (value == 0.0 || error_place(error) > last)
 }
 

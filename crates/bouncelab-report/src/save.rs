@@ -25,7 +25,7 @@ pub struct Saved {
 
 /// Writes a figure as `NAME.svg`, `NAME.png`, `NAME.pdf` and `NAME.csv` into a folder, which is made if needed.
 ///
-/// Each file appears whole or not at all. Whether files of these names are replaced, `outputs` says.
+/// Each file appears whole or not at all. `outputs` decides whether files of these names are replaced.
 ///
 /// # Errors
 ///

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::digits::{superscript, with_minus};
 
 /// Nothing has more ticks than this, whatever the numbers.
-const MOST_TICKS: usize = 60;
+const MAX_TICKS: usize = 60;
 
 /// Values beyond this, or as many times smaller than 1 on a logarithmic axis, do not decide
 /// what an axis shows: nothing that bounces has such a size, and sums would overflow.
@@ -30,7 +30,7 @@ enum Kind {
     Log,
 }
 
-/// A value with the text beside it.
+/// A value with its label.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Tick {
     pub(crate) value: f64,
@@ -62,7 +62,7 @@ impl Scale {
         Self::within(3.0, values)
     }
 
-    /// The same for values that follow a curve with a long tail: so many times the distance.
+    /// The same for values that follow a curve with a long tail: `times` the distance.
     pub(crate) fn within(times: f64, values: impl IntoIterator<Item = f64>) -> Self {
         let mut sorted: Vec<f64> = values.into_iter().filter(|v| v.is_finite()).collect();
         sorted.sort_unstable_by(f64::total_cmp);
@@ -133,7 +133,7 @@ impl Scale {
     }
 
     /// Where the value lies: 0 at the low end, 1 at the high end; not a number if it has no
-    /// place on this axis.
+    /// position on this axis.
     pub(crate) fn share(&self, value: f64) -> f64 {
         if self.kind == Kind::Log {
             if value > 0.0 {
@@ -148,7 +148,7 @@ impl Scale {
 
     /// At most about `most` labelled ticks at round values.
     pub(crate) fn ticks(&self, most: usize) -> TickMarks {
-        let most = most.clamp(2, MOST_TICKS);
+        let most = most.clamp(2, MAX_TICKS);
         if self.kind == Kind::Log {
             self.log_ticks(most)
         } else {
@@ -177,7 +177,7 @@ impl Scale {
         };
         let first = (self.low / step - 1e-9).ceil();
         let last = (self.high / step + 1e-9).floor();
-        let count = (last - first + 1.0).clamp(0.0, MOST_TICKS as f64) as usize;
+        let count = (last - first + 1.0).clamp(0.0, MAX_TICKS as f64) as usize;
         (0..count)
             .map(|i| {
                 let value = (first + i as f64) * step;
@@ -202,10 +202,10 @@ impl Scale {
         ];
         let enough = most.min(3);
         let powers = candidates[0].clone();
-        let found = candidates
+        let fitting = candidates
             .into_iter()
             .find(|values| values.len() >= enough && values.len() <= most.max(9));
-        let values = match found {
+        let values = match fitting {
             Some(values) => values,
             None if decades > 1.0 => powers,
             None => {
@@ -256,7 +256,7 @@ pub(crate) fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     })
 }
 
-/// Two ends far enough apart that floating-point numbers can tell points between them.
+/// Two ends far enough apart that floating-point numbers can distinguish points between them.
 fn apart(low: f64, high: f64) -> (f64, f64) {
     let size = low.abs().max(high.abs());
     if high - low > (1e-9 * size).max(LARGEST.recip()) {
@@ -394,7 +394,7 @@ mod tests {
         fn ticks_lie_on_the_axis(a in any::<f64>(), b in any::<f64>(), log: bool, most in 0_usize..100) {
             let scale = if log { Scale::log([a, b]) } else { Scale::linear([a, b]) };
             let ticks = scale.ticks(most);
-            prop_assert!(ticks.major.len() <= MOST_TICKS.max(most));
+            prop_assert!(ticks.major.len() <= MAX_TICKS.max(most));
             for tick in &ticks.major {
                 prop_assert!((-1e-6..=1.0 + 1e-6).contains(&scale.share(tick.value)), "{tick:?} {scale:?}");
                 prop_assert!(tick.label.chars().count() <= 24, "{tick:?}");

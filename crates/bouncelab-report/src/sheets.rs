@@ -1,6 +1,6 @@
 //! Lesson sheets: two pages of A4 each, the second with what to expect, computed.
 //!
-//! `docs/lessons` has them in every language, beside their [style](style()).
+//! `docs/lessons` has them in every language, with their [style](style()).
 //!
 //! ```
 //! use bouncelab_report::messages::Translator;
@@ -22,7 +22,7 @@ use crate::digits::with_minus;
 use crate::mark::MARK;
 use crate::messages::{Translator, Value};
 
-/// The name of the style, which lies beside the sheets: the page allows no styles within.
+/// The name of the style, a file in the folder of the sheets: the page allows no styles within.
 pub const STYLE: &str = "sheet.css";
 
 /// The style of the sheets: that of reports, and what they have besides.
@@ -30,7 +30,7 @@ pub fn style() -> String {
     [include_str!("report/style.css"), include_str!("sheets.css")].concat()
 }
 
-/// The ball of which the sheets speak most.
+/// The ball of most sheets.
 const LIGHT: &str = "table-tennis-40";
 /// One that stays long on the floor at each bounce.
 const SOFT: &str = "tennis";
@@ -98,22 +98,22 @@ impl Sheet {
     /// # Errors
     ///
     /// None: all numbers of the sheets are within their ranges.
-    pub fn html(self, words: &Translator) -> Result<String> {
-        let contents = self.contents(words)?;
+    pub fn html(self, translator: &Translator) -> Result<String> {
+        let contents = self.contents(translator)?;
         let id = |part: &str| format!("sheet-{}-{part}", self.name());
-        let text = |part: &str| words.text_with(&id(part), &contents.values);
+        let text = |part: &str| translator.text_with(&id(part), &contents.values);
         let all = |part: &str| {
             let ids = (1..).map(|number| id(&format!("{part}-{number}")));
-            let known = ids.take_while(|id| words.has(id));
+            let known = ids.take_while(|id| translator.has(id));
             known
-                .map(|id| words.text_with(&id, &contents.values))
+                .map(|id| translator.text_with(&id, &contents.values))
                 .collect::<Vec<_>>()
         };
         let (headings, count) = &contents.to_fill;
         let blank = vec![Vec::new(); *count];
         let page = html! {
             (DOCTYPE)
-            html lang=(words.language()) {
+            html lang=(translator.language()) {
                 head {
                     meta charset="utf-8";
                     meta name="viewport" content="width=device-width, initial-scale=1";
@@ -127,29 +127,29 @@ impl Sheet {
                     main {
                         section {
                             h1 { (text("title")) }
-                            p .fields { (words.text("sheet-fields")) }
+                            p .fields { (translator.text("sheet-fields")) }
                             p .first { (text("aim")) }
-                            h2 { (words.text("sheet-need")) }
+                            h2 { (translator.text("sheet-need")) }
                             ul { @for item in all("need") { li { (item) } } }
-                            h2 { (words.text("sheet-do")) }
+                            h2 { (translator.text("sheet-do")) }
                             ol { @for item in all("do") { li { (item) } } }
-                            h2 { (words.text("sheet-write")) }
-                            (table(words, headings, &blank))
+                            h2 { (translator.text("sheet-write")) }
+                            (table(translator, headings, &blank))
                         }
                         section .second {
-                            h2 { (words.text("sheet-work")) }
+                            h2 { (translator.text("sheet-work")) }
                             ol { @for item in all("work") { li { (item) } } }
-                            h2 { (words.text("sheet-expected")) }
+                            h2 { (translator.text("sheet-expected")) }
                             p { (text("see")) }
-                            (table(words, &contents.expected.0, &contents.expected.1))
-                            p .subtitle { (words.text("sheet-expected-made")) }
-                            h2 { (words.text("sheet-talk")) }
+                            (table(translator, &contents.expected.0, &contents.expected.1))
+                            p .subtitle { (translator.text("sheet-expected-made")) }
+                            h2 { (translator.text("sheet-talk")) }
                             ol { @for item in all("talk") { li { (item) } } }
-                            h2 { (words.text("sheet-teacher")) }
+                            h2 { (translator.text("sheet-teacher")) }
                             ul {
                                 @for item in all("teacher") { li { (item) } }
-                                li { (words.text("sheet-teacher-quiet")) }
-                                li { (words.text("sheet-teacher-collect")) }
+                                li { (translator.text("sheet-teacher-quiet")) }
+                                li { (translator.text("sheet-teacher-collect")) }
                             }
                         }
                     }
@@ -159,22 +159,22 @@ impl Sheet {
         Ok(page.into_string())
     }
 
-    fn contents(self, words: &Translator) -> Result<Contents> {
+    fn contents(self, translator: &Translator) -> Result<Contents> {
         let height = ("height", Value::fixed(100.0 * self.height_m(), 0));
         let mut contents = match self {
-            Self::Bounciness => self.bounciness(words),
-            Self::Air => self.air(words),
-            Self::Gravity => self.gravity(words),
+            Self::Bounciness => self.bounciness(translator),
+            Self::Air => self.air(translator),
+            Self::Gravity => self.gravity(translator),
         }?;
         contents.values.push(height);
         Ok(contents)
     }
 
-    fn bounciness(self, words: &Translator) -> Result<Contents> {
+    fn bounciness(self, translator: &Translator) -> Result<Contents> {
         let row = |&restitution: &f64| {
             let flights = self.flights(LIGHT, restitution, true)?;
             let height_cm = 100.0 * flights.bounces[0].flight.apex_m;
-            let fixed = |value, digits| words.fixed(value, digits);
+            let fixed = |value, digits| translator.fixed(value, digits);
             Ok(vec![
                 fixed(restitution, 2),
                 fixed(flights.time_s(0), 4),
@@ -187,7 +187,7 @@ impl Sheet {
         let ratio = self.flights(LIGHT, EXAMPLE, true)?.ratio();
         Ok(Contents {
             values: vec![
-                ("ball", ball_name(LIGHT, words).into()),
+                ("ball", ball_name(LIGHT, translator).into()),
                 ("off", Value::fixed(100.0 * (1.0 - ratio / EXAMPLE), 1)),
             ],
             to_fill: (
@@ -201,17 +201,17 @@ impl Sheet {
         })
     }
 
-    fn air(self, words: &Translator) -> Result<Contents> {
-        let fixed = |value, digits| words.fixed(value, digits);
+    fn air(self, translator: &Translator) -> Result<Contents> {
+        let fixed = |value, digits| translator.fixed(value, digits);
         let row = |ball: &str, air: bool| {
             let flights = self.flights(ball, SHARED, air)?;
             let terminal = flights.terminal_speed_m_s.filter(|_| air);
             let share = flights.drag_share();
             Ok(vec![
                 if air {
-                    ball_name(ball, words)
+                    ball_name(ball, translator)
                 } else {
-                    words.text("sheet-no-air")
+                    translator.text("sheet-no-air")
                 },
                 terminal.map_or_else(String::new, |speed| fixed(speed, 1)),
                 fixed(flights.bounces[0].impact_speed_m_s, 3),
@@ -246,17 +246,17 @@ impl Sheet {
         })
     }
 
-    fn gravity(self, words: &Translator) -> Result<Contents> {
-        let fixed = |value, digits| words.fixed(value, digits);
+    fn gravity(self, translator: &Translator) -> Result<Contents> {
+        let fixed = |value, digits| translator.fixed(value, digits);
         let row = |ball: &str, air: bool| {
             let flights = self.flights(ball, SHARED, air)?;
             let (first_s, second_s) = (flights.time_s(0), flights.time_s(1));
             let gravity = self.gravity_of(&flights);
             Ok(vec![
                 if air {
-                    ball_name(ball, words)
+                    ball_name(ball, translator)
                 } else {
-                    words.text("sheet-no-air")
+                    translator.text("sheet-no-air")
                 },
                 fixed(first_s, 4),
                 fixed(second_s, 4),
@@ -325,7 +325,7 @@ struct Flights {
 }
 
 impl Flights {
-    /// From one impact to the next, as they are heard.
+    /// From one impact to the next, as they are detected.
     fn time_s(&self, flight: usize) -> f64 {
         self.bounces[flight].flight.time_s() + self.contact_s
     }
@@ -347,18 +347,18 @@ fn percent_off(gravity_m_s2: f64) -> f64 {
     (1000.0 * (gravity_m_s2 / STANDARD_M_S2 - 1.0)).round() / 10.0 + 0.0
 }
 
-fn ball_name(ball: &str, words: &Translator) -> String {
+fn ball_name(ball: &str, translator: &Translator) -> String {
     let kind = ball.split(':').next().unwrap_or(ball);
-    words.text(&format!("sheet-ball-{kind}"))
+    translator.text(&format!("sheet-ball-{kind}"))
 }
 
-fn table(words: &Translator, headings: &[&str], rows: &[Vec<String>]) -> Markup {
+fn table(translator: &Translator, headings: &[&str], rows: &[Vec<String>]) -> Markup {
     html! {
         div .table {
             table {
                 thead {
                     tr { @for id in headings {
-                        th scope="col" { (words.text(&format!("sheet-column-{id}"))) }
+                        th scope="col" { (translator.text(&format!("sheet-column-{id}"))) }
                     } }
                 }
                 tbody {

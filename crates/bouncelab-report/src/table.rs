@@ -11,7 +11,7 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::messages::Translator;
 
-/// On which side of its column a text stands.
+/// The side of its column at which a text is aligned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub enum Align {
@@ -46,7 +46,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// An empty table with the headings of its columns, and on which side each stands.
+    /// An empty table with the headings of its columns, and their alignment.
     pub fn new<H: Into<String>>(columns: impl IntoIterator<Item = (H, Align)>) -> Self {
         let (header, align) = columns
             .into_iter()
@@ -76,7 +76,7 @@ impl Table {
         self.rows.push(row);
     }
 
-    /// The headings, and on which side of its column each stands.
+    /// The headings and their alignment.
     pub(crate) fn columns(&self) -> impl Iterator<Item = (&str, &Align)> {
         self.header.iter().map(String::as_str).zip(&self.align)
     }

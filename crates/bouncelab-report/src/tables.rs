@@ -9,9 +9,9 @@ use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
 use crate::table::{Align, Table};
 
-/// The impacts of a drop with the flight after each and its restitution; with `details`, how surely each is
-/// known. The last column marks uncertain impacts.
-pub fn impacts(drop: &Drop, details: bool, words: &Translator) -> Table {
+/// The impacts of a drop with the flight after each and its restitution; with `details`, how certain each
+/// is. The last column marks uncertain impacts.
+pub fn impacts(drop: &Drop, details: bool, translator: &Translator) -> Table {
     let mut columns = vec![
         ("column-impact", Align::Right),
         ("column-time", Align::Right),
@@ -31,14 +31,14 @@ pub fn impacts(drop: &Drop, details: bool, words: &Translator) -> Table {
         ]);
     }
     columns.push(("", Align::Left));
-    let mut table = Table::with_headings(words, columns);
+    let mut table = Table::with_headings(translator, columns);
     for index in 0..drop.impacts.len() {
-        table.row(impact_row(drop, index, details, words));
+        table.row(impact_row(drop, index, details, translator));
     }
     table
 }
 
-fn impact_row(drop: &Drop, index: usize, details: bool, words: &Translator) -> Vec<String> {
+fn impact_row(drop: &Drop, index: usize, details: bool, translator: &Translator) -> Vec<String> {
     let impact = &drop.impacts[index];
     let flight = drop.flight(impact.number);
     let corrected = drop.impact_restitution(impact.number);
@@ -47,11 +47,11 @@ fn impact_row(drop: &Drop, index: usize, details: bool, words: &Translator) -> V
         .map(|m| m.flight.apex_m)
         .or(flight.map(|f| f.drag_free_height_m));
     let fixed = |value: Option<f64>, decimals| {
-        value.map_or_else(String::new, |value| words.fixed(value, decimals))
+        value.map_or_else(String::new, |value| translator.fixed(value, decimals))
     };
     let mut row = vec![
         impact.number.to_string(),
-        words.fixed(impact.time_s, 4),
+        translator.fixed(impact.time_s, 4),
         fixed(flight.map(|f| f.time_s), 4),
         fixed(apex_m.map(|apex_m| apex_m * 100.0), 2),
         fixed(corrected.map(|c| c.impact_speed_m_s), 3),
@@ -63,7 +63,7 @@ fn impact_row(drop: &Drop, index: usize, details: bool, words: &Translator) -> V
             fixed(corrected.and_then(|c| c.restitution.known_sd()), 4),
             fixed(impact.time_sd_s.map(|sigma_s| sigma_s * 1e6), 1),
             fixed(impact.level_db, 1),
-            words.fixed(impact.probability, 3),
+            translator.fixed(impact.probability, 3),
             fixed(residual_percent(drop, impact.number), 2),
         ]);
     }
@@ -86,33 +86,33 @@ fn residual_percent(drop: &Drop, number: usize) -> Option<f64> {
 }
 
 /// The name of a restitution law.
-pub fn restitution_law(law: LawKind, words: &Translator) -> String {
-    words.text(&format!("restitution-law-{}", law.name()))
+pub fn restitution_law(law: LawKind, translator: &Translator) -> String {
+    translator.text(&format!("restitution-law-{}", law.name()))
 }
 
 /// The name of a drag law; laws that are named after people keep theirs in every language.
-pub fn drag_law(law: DragLaw, words: &Translator) -> String {
+pub fn drag_law(law: DragLaw, translator: &Translator) -> String {
     match law {
-        DragLaw::None => words.text("drag-none"),
-        DragLaw::Constant(c) => words.text_with("drag-constant", &[("coefficient", c.into())]),
+        DragLaw::None => translator.text("drag-none"),
+        DragLaw::Constant(c) => translator.text_with("drag-constant", &[("coefficient", c.into())]),
         _ => law.to_string(),
     }
 }
 
 /// The name of something that the data may determine.
-pub fn unknown(unknown: Unknown, words: &Translator) -> String {
-    words.text(&format!("quantity-{}", unknown.name()))
+pub fn unknown(unknown: Unknown, translator: &Translator) -> String {
+    translator.text(&format!("quantity-{}", unknown.name()))
 }
 
 /// The name of a source of uncertainty.
-pub fn source(share: &Share, words: &Translator) -> String {
-    words.text(&format!("source-{}", share.source))
+pub fn source(share: &Share, translator: &Translator) -> String {
+    translator.text(&format!("source-{}", share.source))
 }
 
-/// What the times say of each preset ball.
-pub fn balls(drop: &Drop, words: &Translator) -> Table {
+/// The comparison of the preset balls by the times.
+pub fn balls(drop: &Drop, translator: &Translator) -> Table {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("column-ball", Align::Left),
             ("column-bayes-factor", Align::Right),
@@ -121,10 +121,10 @@ pub fn balls(drop: &Drop, words: &Translator) -> Table {
         ],
     );
     for compared in &drop.balls {
-        let shown = |found: &Estimate, unit| Quantity::of(found, unit).text(words);
+        let shown = |estimate: &Estimate, unit| Quantity::of(estimate, unit).text(translator);
         table.row([
             compared.ball.to_owned(),
-            words.fixed(compared.log_bayes_factor, 1),
+            translator.fixed(compared.log_bayes_factor, 1),
             shown(&compared.restitution, Unit::Number),
             shown(&compared.drop_height_m, Unit::Length),
         ]);
@@ -132,10 +132,10 @@ pub fn balls(drop: &Drop, words: &Translator) -> Table {
     table
 }
 
-/// The laws that were weighed.
-pub fn models(found: &Posterior, words: &Translator) -> Table {
+/// The laws that were compared.
+pub fn models(posterior: &Posterior, translator: &Translator) -> Table {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("column-law", Align::Left),
             ("column-drag", Align::Left),
@@ -145,16 +145,16 @@ pub fn models(found: &Posterior, words: &Translator) -> Table {
             ("column-h0", Align::Right),
         ],
     );
-    for model in &found.models {
+    for model in &posterior.models {
         let shown = |summary: &Option<Estimate>, unit| {
-            let text = |summary: &Estimate| Quantity::of(summary, unit).text(words);
+            let text = |summary: &Estimate| Quantity::of(summary, unit).text(translator);
             summary.as_ref().map_or_else(String::new, text)
         };
         table.row(vec![
-            restitution_law(model.restitution_law, words),
-            drag_law(model.drag_law, words),
-            words.fixed(model.probability, 3),
-            words.fixed(model.log_evidence, 1),
+            restitution_law(model.restitution_law, translator),
+            drag_law(model.drag_law, translator),
+            translator.fixed(model.probability, 3),
+            translator.fixed(model.log_evidence, 1),
             shown(&model.restitution, Unit::Number),
             shown(&model.drop_height_m, Unit::Length),
         ]);
@@ -164,9 +164,9 @@ pub fn models(found: &Posterior, words: &Translator) -> Table {
 
 /// Where the uncertainty of a quantity with this unit comes from; what is below a twentieth of a per cent
 /// is left out.
-pub fn budget(shares: &[Share], unit: Unit, words: &Translator) -> Table {
+pub fn budget(shares: &[Share], unit: Unit, translator: &Translator) -> Table {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("column-source", Align::Left),
             ("column-alone", Align::Right),
@@ -175,56 +175,56 @@ pub fn budget(shares: &[Share], unit: Unit, words: &Translator) -> Table {
     );
     for share in shares.iter().filter(|share| share.share >= 0.0005) {
         table.row(vec![
-            source(share, words),
+            source(share, translator),
             format!(
                 "\u{b1} {}",
-                Quantity::rounded(share.sd, 2, unit).text(words)
+                Quantity::rounded(share.sd, 2, unit).text(translator)
             ),
-            words.fixed(share.share * 100.0, 1),
+            translator.fixed(share.share * 100.0, 1),
         ]);
     }
     table
 }
 
 /// How much the data narrowed each unknown.
-pub fn prior_contraction(found: &Posterior, words: &Translator) -> Table {
+pub fn prior_contraction(posterior: &Posterior, translator: &Translator) -> Table {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("column-unknown", Align::Left),
             ("column-width-left", Align::Right),
         ],
     );
-    for prior_contraction in &found.prior_contraction {
+    for prior_contraction in &posterior.prior_contraction {
         table.row(vec![
-            unknown(prior_contraction.unknown, words),
-            words.fixed(prior_contraction.remaining * 100.0, 0),
+            unknown(prior_contraction.unknown, translator),
+            translator.fixed(prior_contraction.remaining * 100.0, 0),
         ]);
     }
     table
 }
 
 /// Correlations between the answers.
-pub fn correlations(found: &Posterior, words: &Translator) -> Table {
-    let names = found.correlations.quantities.iter();
+pub fn correlations(posterior: &Posterior, translator: &Translator) -> Table {
+    let names = posterior.correlations.quantities.iter();
     let names: Vec<String> = names
-        .map(|name| words.text(&format!("quantity-{name}")))
+        .map(|name| translator.text(&format!("quantity-{name}")))
         .collect();
     let mut columns = vec![(String::new(), Align::Left)];
     columns.extend(names.iter().map(|name| (name.clone(), Align::Right)));
     let mut table = Table::new(columns);
-    for (name, row) in names.into_iter().zip(&found.correlations.matrix) {
+    for (name, row) in names.into_iter().zip(&posterior.correlations.matrix) {
         let mut cells = vec![name];
-        cells.extend(row.iter().map(|value| words.fixed(*value, 2)));
+        cells.extend(row.iter().map(|value| translator.fixed(*value, 2)));
         table.row(cells);
     }
     table
 }
 
 /// The impacts as the inference has them, with energies and weights.
-pub fn fitted_impacts(found: &Posterior, words: &Translator) -> Table {
+pub fn fitted_impacts(posterior: &Posterior, translator: &Translator) -> Table {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("column-impact", Align::Right),
             ("column-speed", Align::Right),
@@ -237,20 +237,20 @@ pub fn fitted_impacts(found: &Posterior, words: &Translator) -> Table {
         ],
     );
     let value = |summary: &Option<Estimate>, scale: f64, decimals: usize| {
-        summary.map_or_else(String::new, |s| words.fixed(s.value * scale, decimals))
+        summary.map_or_else(String::new, |s| translator.fixed(s.value * scale, decimals))
     };
-    for impact in &found.impacts {
+    for impact in &posterior.impacts {
         table.row(vec![
             impact.number.to_string(),
-            words.fixed(impact.impact_speed_m_s.value, 3),
+            translator.fixed(impact.impact_speed_m_s.value, 3),
             value(&impact.restitution, 1.0, 4),
             value(&impact.apex_m, 100.0, 2),
             value(&impact.lost_to_surface_j, 1e3, 3),
             value(&impact.lost_to_air_j, 1e3, 3),
             impact
                 .standardised_residual
-                .map_or_else(String::new, |z| words.fixed(z, 2)),
-            words.fixed(impact.weight, 2),
+                .map_or_else(String::new, |z| translator.fixed(z, 2)),
+            translator.fixed(impact.weight, 2),
         ]);
     }
     table

@@ -1,7 +1,7 @@
 //! Meanings of colours, and sizes.
 //!
 //! The colours are those of Okabe and Ito (2008), which people with any kind of colour
-//! vision can tell apart. Each has one meaning, the same in every figure, on the command
+//! vision can distinguish. Each has one meaning, the same in every figure, on the command
 //! line and in the browser. Colour is never the only sign: the legend also shows the shape or
 //! the dashes.
 
@@ -56,7 +56,7 @@ impl fmt::Display for Colour {
 /// `measured`, `drag`, ..., `group-0`, `group-1`, ...
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Meaning {
-    /// Measured, or found from measurements with everything taken into account.
+    /// Measured, or computed from measurements with everything taken into account.
     Measured,
     /// A model with air drag.
     Drag,
@@ -72,7 +72,7 @@ pub enum Meaning {
     Soft,
     /// Where values are expected.
     Expected,
-    /// A group by its place, which means nothing but "this group".
+    /// A group by its index, which means nothing but "this group".
     Group(usize),
 }
 
@@ -93,7 +93,7 @@ impl Meaning {
             Self::Ink => INK,
             Self::Soft => SOFT_INK,
             Self::Expected => BASE_LINE,
-            Self::Group(place) => GROUPS[place % GROUPS.len()],
+            Self::Group(index) => GROUPS[index % GROUPS.len()],
         }
     }
 }
@@ -109,7 +109,7 @@ impl fmt::Display for Meaning {
             Self::Ink => "ink",
             Self::Soft => "soft",
             Self::Expected => "expected",
-            Self::Group(place) => return write!(f, "group-{}", place % GROUPS.len()),
+            Self::Group(index) => return write!(f, "group-{}", index % GROUPS.len()),
         };
         f.write_str(name)
     }
@@ -131,8 +131,8 @@ impl FromStr for Meaning {
         let groups = (0..GROUPS.len()).map(Self::Group);
         let all: Vec<Self> = NAMED.into_iter().chain(groups).collect();
         let names: Vec<String> = all.iter().map(ToString::to_string).collect();
-        let place = names.iter().position(|known| known == name);
-        place.map(|place| all[place]).ok_or_else(|| {
+        let index = names.iter().position(|known| known == name);
+        index.map(|index| all[index]).ok_or_else(|| {
             let known: Vec<&str> = names.iter().map(String::as_str).collect();
             bouncelab::Error::unknown_name("meaning", name, &known)
         })
@@ -180,7 +180,7 @@ const GROUPS: [Colour; 7] = [
 pub const INK: Colour = Colour::new(0x22, 0x22, 0x22);
 /// Numbers along the axes and names of the axes.
 pub const SOFT_INK: Colour = Colour::new(0x59, 0x59, 0x59);
-/// The line a panel stands on.
+/// The line at the bottom of a panel.
 pub(crate) const BASE_LINE: Colour = Colour::new(0x99, 0x99, 0x99);
 /// Grid lines.
 pub(crate) const GRID: Colour = Colour::new(0xe8, 0xe8, 0xe8);

@@ -1,7 +1,7 @@
 //! Reads quantities with units: `30.5cm`, `2.7 g`, `1013 hPa`, `-5C`.
 //!
-//! A number without a unit is in SI. In arguments, files and forms alike; what is wrong is said in
-//! words that can be shown as they are.
+//! A number without a unit is in SI. In arguments, files and forms alike; errors
+//! are sentences that can be shown as they are.
 //!
 //! ```
 //! use bouncelab_report::units;
@@ -155,9 +155,9 @@ pub fn latitude(text: &str) -> Result<f64, String> {
     quantity(text, ANGLES)
 }
 
-/// A temperature in kelvin, from degrees Celsius unless it says `K` or `F`.
+/// A temperature in kelvin, from degrees Celsius unless it has the unit `K` or `F`.
 ///
-/// This is the one quantity whose bare number is not SI: nobody means 20 K.
+/// This is the one quantity whose bare number is not SI: 20 does not mean 20 K.
 ///
 /// # Errors
 /// What is wrong with the text, and what would be right.

@@ -3,8 +3,8 @@
 
 use bouncelab::detection::Envelope;
 use bouncelab_report::figure::{
-    self, Curve, Detection, DragAxes, GroupCurve, GroupInterval, GroupPoint, Judged, Line, Mark,
-    RunPoint, TimedFlight,
+    self, Curve, Detection, DragAxes, EvaluatedValue, GroupCurve, GroupInterval, GroupPoint, Line,
+    Mark, RunPoint, TimedFlight,
 };
 use bouncelab_report::file::Outputs;
 use bouncelab_report::messages::Translator;
@@ -312,9 +312,9 @@ proptest! {
             })
             .collect();
         check_drawing(&figure::intervals(&intervals, line.slope, &english))?;
-        let judged: Vec<_> = numbers
+        let evaluated: Vec<_> = numbers
             .iter()
-            .map(|&(value, end)| Judged {
+            .map(|&(value, end)| EvaluatedValue {
                 name: "any".to_owned(),
                 value,
                 interval95: errors.map(|error| [error, end]),
@@ -322,7 +322,7 @@ proptest! {
             })
             .collect();
         let any = ("any".to_owned(), "");
-        check_drawing(&figure::limits(&judged, [errors, None], [None, errors], any, &english))?;
+        check_drawing(&figure::limits(&evaluated, [errors, None], [None, errors], any, &english))?;
         let run: Vec<_> = numbers
             .iter()
             .map(|&(off, other)| RunPoint {
@@ -618,7 +618,7 @@ fn long_names_are_broken_not_cut() {
         next95: None,
         drops: Vec::new(),
     };
-    let judged = Judged {
+    let evaluated = EvaluatedValue {
         name: group.to_owned(),
         value: 0.25,
         interval95: None,
@@ -628,7 +628,7 @@ fn long_names_are_broken_not_cut() {
     let (limits, metres) = ([Some(0.24), None], ("rebound".to_owned(), "m"));
     let drawn = [
         figure::intervals(&[of_group(0.9), of_group(0.91)], 1.0, &english()),
-        figure::limits(&[judged], limits, [None, None], metres, &english()),
+        figure::limits(&[evaluated], limits, [None, None], metres, &english()),
         figure::height("height", &[curve], &[], &english()),
     ];
     for chart in drawn {

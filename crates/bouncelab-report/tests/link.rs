@@ -6,7 +6,7 @@ use bouncelab_report::link::{LinkProblem, LinkedDrop};
 use proptest::prelude::*;
 
 /// Letters of a name that travel.
-const MOST_LETTERS: usize = 60;
+const MAX_LETTERS: usize = 60;
 
 fn drops(impacts: impl Into<proptest::collection::SizeRange>) -> impl Strategy<Value = LinkedDrop> {
     let flights = proptest::collection::vec(1..250_000_i64, impacts);
@@ -19,7 +19,7 @@ fn drops(impacts: impl Into<proptest::collection::SizeRange>) -> impl Strategy<V
         steps.collect::<Vec<_>>()
     });
     (".{0,60}", height, times).prop_map(|(name, height_mm, times_s)| LinkedDrop {
-        name: name.chars().take(MOST_LETTERS).collect(),
+        name: name.chars().take(MAX_LETTERS).collect(),
         settings: Settings {
             ball: Some("table-tennis-40".to_owned()),
             height_m: height_mm.map(|height| f64::from(height) / 1000.0),
@@ -91,7 +91,7 @@ proptest! {
     #[test]
     fn sixty_impacts_with_all_that_can_be_stated_fit_a_link(drop in drops(60)) {
         const ADDRESS: &str = "https://physics.example.org/bouncelab/#lab?drop=";
-        let named = LinkedDrop { name: "\u{6f22}".repeat(MOST_LETTERS), settings: all_stated(), ..drop };
+        let named = LinkedDrop { name: "\u{6f22}".repeat(MAX_LETTERS), settings: all_stated(), ..drop };
         let code = named.code().unwrap();
         prop_assert!(ADDRESS.len() + code.len() <= 1500, "{}", code.len());
         prop_assert_eq!(LinkedDrop::of_code(&code).unwrap(), named);

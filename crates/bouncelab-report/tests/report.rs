@@ -9,7 +9,7 @@ use bouncelab::inference::{InferenceOptions, SamplerConfig};
 use bouncelab::setup::{BallInput, Setup, SetupInput};
 use bouncelab_report::groups::{self, About, GroupStudy, NotedDrop, Question, Reason};
 use bouncelab_report::messages::Translator;
-use bouncelab_report::report::{self, Markdown, Page, Provenance, Recording};
+use bouncelab_report::report::{self, Markdown, Page, Provenance, ReportInput};
 
 /// A name that tries everything at once.
 const HOSTILE: &str = "a\"><script>alert('1')</script><img src=x onerror=alert(2)>--> ](javascript:x) `| $x$ & \n# b.wav";
@@ -48,7 +48,7 @@ fn page(name: &str, count: usize) -> Page {
 }
 
 fn page_in(language: &Translator, name: &str, count: usize) -> Page {
-    let recording = Recording {
+    let recording = ReportInput {
         name,
         setup: &setup(name),
         result: &drops(count),
@@ -197,7 +197,7 @@ fn a_notebook_refers_to_its_figures() {
 fn a_recording_without_a_drop_says_why() {
     let mut result = drops(0);
     result.no_drop = Some(Diagnostic::new(Code::NoSound));
-    let recording = Recording {
+    let recording = ReportInput {
         name: "silence.wav",
         setup: &setup("tennis"),
         result: &result,
@@ -261,7 +261,7 @@ fn everything_on_a_page_of_groups_is_a_message() {
 }
 
 /// So many drops of each of two balls, compared at a speed, and six of which there is something to say.
-fn group_page(drops: usize, at_speed_m_s: Option<f64>, words: &Translator) -> Page {
+fn group_page(drops: usize, at_speed_m_s: Option<f64>, translator: &Translator) -> Page {
     let point = |value| {
         move |speed_m_s| CurvePoint {
             speed_m_s,
@@ -304,11 +304,11 @@ fn group_page(drops: usize, at_speed_m_s: Option<f64>, words: &Translator) -> Pa
         at_speed_m_s,
         ..Question::default()
     };
-    let groups = GroupStudy::of(about, noted.collect(), &question, words).unwrap();
-    let charts = groups::figures(&groups, vec![Vec::new(); 2], words);
+    let groups = GroupStudy::of(about, noted.collect(), &question, translator).unwrap();
+    let charts = groups::figures(&groups, vec![Vec::new(); 2], translator);
     let provenance = Provenance::default();
-    let to_repeat = report::repeat(&provenance, words);
-    groups::page(&groups, &charts, &provenance, to_repeat, words)
+    let to_repeat = report::repeat(&provenance, translator);
+    groups::page(&groups, &charts, &provenance, to_repeat, translator)
 }
 
 /// No word is seen but those of messages, all of which are the same sign.

@@ -18,10 +18,10 @@ fn the_sheets_are_those_of_this_program() {
     };
     check(STYLE, style());
     for language in languages() {
-        let words = Translator::new(language).unwrap();
+        let translator = Translator::new(language).unwrap();
         for sheet in Sheet::ALL {
             let name = format!("{}.{language}.html", sheet.name());
-            check(&name, sheet.html(&words).unwrap());
+            check(&name, sheet.html(&translator).unwrap());
         }
     }
 }

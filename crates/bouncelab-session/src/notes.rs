@@ -73,7 +73,7 @@ struct Written {
 
 impl SessionFile {
     pub(crate) fn read(path: &Path) -> Result<Self> {
-        let text = text_of(path, rules::MOST_MB)?;
+        let text = text_of(path, rules::MAX_MB)?;
         let written: Written = toml::from_str(&text).map_err(|fault| {
             let place = fault
                 .span()

@@ -8,7 +8,7 @@ use bouncelab::detection::Envelope;
 use bouncelab::inference::PriorContraction;
 use bouncelab::setup::Setup;
 use bouncelab_report::document::{Document, rows};
-use bouncelab_report::figure::{self, Mark, Subject};
+use bouncelab_report::figure::{self, FigureInput, Mark};
 use bouncelab_report::messages::{Translator, capital};
 use bouncelab_report::quantities::{self, QuantityList};
 use bouncelab_report::report::{self, Provenance};
@@ -140,8 +140,8 @@ impl Analysis<'_> {
     fn figure_names(&self) -> Vec<Vec<&'static str>> {
         let of_air: Vec<_> = self.of_air().into_iter().map(|(name, _)| name).collect();
         let of_drop = |drop| {
-            let subject = Subject::new(drop, &self.setup.options);
-            let names = figure::of_drop(&subject).map(|figure| figure.name);
+            let input = FigureInput::new(drop, &self.setup.options);
+            let names = figure::of_drop(&input).map(|figure| figure.name);
             names.chain(of_air.iter().copied()).collect()
         };
         self.result.drops.iter().map(of_drop).collect()
@@ -169,10 +169,10 @@ impl Analysis<'_> {
         let simulation = simulation
             .map(|(request, first)| simulator::moved_curve(request, first.time_s))
             .transpose()?;
-        let subject = found.map(|found| {
-            Subject::new(found, &self.setup.options).with_simulation(simulation.as_deref())
+        let input = found.map(|found| {
+            FigureInput::new(found, &self.setup.options).with_simulation(simulation.as_deref())
         });
-        let of_drop = subject.and_then(|subject| figure::chart(name, &subject, self.translator));
+        let of_drop = input.and_then(|input| figure::chart(name, &input, self.translator));
         let of_air = || {
             let mut charts = self.of_air().into_iter();
             charts.find_map(|(known, chart)| (known == name).then_some(chart))
@@ -190,7 +190,7 @@ impl Analysis<'_> {
     /// The report as one HTML file.
     pub fn report(mut self, sound: Option<Envelope>, made: Option<String>) -> String {
         self.result.envelope = sound;
-        let recording = report::Recording {
+        let recording = report::ReportInput {
             name: &self.request.name,
             setup: &self.setup,
             result: &self.result,

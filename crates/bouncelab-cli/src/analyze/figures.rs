@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::path::Path;
 
 use bouncelab::setup::Setup;
-use bouncelab_report::figure::{self, Mark, Subject};
+use bouncelab_report::figure::{self, FigureInput, Mark};
 use bouncelab_report::file::Outputs;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::{Chart, save};
@@ -55,13 +55,13 @@ fn figures(analysed: &Analysed, physics: &Setup, translator: &Translator) -> Vec
         figures.push(("waveform".to_owned(), chart));
     }
     for (index, drop) in analysed.result.drops.iter().enumerate() {
-        let subject = Subject::new(drop, settings);
-        figures.extend(figure::of_drop(&subject).map(|figure| {
+        let input = FigureInput::new(drop, settings);
+        figures.extend(figure::of_drop(&input).map(|figure| {
             let name = match analysed.result.drops.len() {
                 1 => figure.name.to_owned(),
                 _ => format!("drop{}-{}", index + 1, figure.name),
             };
-            (name, figure.chart(&subject, translator))
+            (name, figure.chart(&input, translator))
         }));
     }
     let of_air = figure::of_air(&analysed.result.drops, settings, translator);

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use bouncelab::setup::Setup;
 use bouncelab_report::file::Outputs;
-use bouncelab_report::report::{self, Page, Provenance, Recording};
+use bouncelab_report::report::{self, Page, Provenance, ReportInput};
 use bouncelab_session::hash::hash_of_file;
 use clap::Args;
 
@@ -45,7 +45,7 @@ impl ReportArguments {
         analysed: &Analysed,
         physics: &Setup,
     ) -> Result<Page, Failure> {
-        let recording = Recording {
+        let recording = ReportInput {
             name: &analysed.name,
             setup: physics,
             result: &analysed.result,

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use bouncelab::Plain;
 use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule};
 use bouncelab::setup::Setup;
-use bouncelab_report::document::verdict::{Judgement, VerdictDocument};
+use bouncelab_report::document::verdict::{Evaluation, VerdictDocument};
 use bouncelab_report::report::Provenance;
 use bouncelab_report::report::verdict::of_verdict;
 use bouncelab_session::hash::hash_of_file;
@@ -168,7 +168,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         decision,
     )?;
     let (files, reference_files) = (surface.names(), reference.names());
-    let judgement = Judgement {
+    let evaluation = Evaluation {
         rule,
         verdict: &verdict,
         decision,
@@ -181,12 +181,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             files: hashes,
             ..provenance()
         };
-        file.write(&of_verdict(&judgement, &provenance, translator()))?;
+        file.write(&of_verdict(&evaluation, &provenance, translator()))?;
     }
     match arguments.format {
-        Format::Text => print(text::report(&judgement))?,
+        Format::Text => print(text::report(&evaluation))?,
         Format::Json => {
-            let document = VerdictDocument::new(&judgement, translator());
+            let document = VerdictDocument::new(&evaluation, translator());
             print_json(&document)?;
         }
     }

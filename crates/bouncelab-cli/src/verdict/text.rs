@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use bouncelab::rulebook::{Decision, Rule, Verdict};
 use bouncelab_report::Table;
-use bouncelab_report::document::verdict::Judgement;
+use bouncelab_report::document::verdict::Evaluation;
 use bouncelab_report::report::verdict::{because, by_rule, differences, drop_table, outcome, ways};
 use bouncelab_report::rules::words;
 
@@ -12,15 +12,15 @@ use crate::analyze::{assumed, note};
 use crate::language::{text, text_with, translator};
 
 /// The verdict, the rebound in several ways and why they differ, and what to know.
-pub(super) fn report(judgement: &Judgement<'_>) -> String {
-    let Judgement {
+pub(super) fn report(evaluation: &Evaluation<'_>) -> String {
+    let Evaluation {
         rule,
         verdict,
         decision,
         files,
         reference_files,
         setup,
-    } = *judgement;
+    } = *evaluation;
     let mut page = String::new();
     for line in of_rule(rule) {
         add(&mut page, &line);

@@ -18,19 +18,19 @@ pub use rows::Row;
 /// leaves a point out.
 pub type Point = [f64; 2];
 
-/// A chart. Without panels there is nothing to show, and the caption says why.
+/// A chart. Without panels there is nothing to show, and the caption states why.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Chart {
     /// The title.
     pub title: String,
-    /// One sentence that says what to see in it.
+    /// One sentence on what it shows.
     pub caption: String,
-    /// Relative widths of the columns in which the panels stand.
+    /// Relative widths of the columns of panels.
     pub columns: Vec<f64>,
     /// The panels.
     pub panels: Vec<Panel>,
-    /// What stands between whole numbers and decimals in its language.
+    /// The decimal point of its language.
     pub decimal_separator: char,
 }
 
@@ -38,7 +38,7 @@ pub struct Chart {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Panel {
-    /// What stands above it; empty for nothing.
+    /// The title above it; may be empty.
     pub title: String,
     /// Its row, from 0 at the top.
     pub row: usize,
@@ -68,7 +68,7 @@ pub struct Axis {
     /// What of it is drawn.
     pub ticks: Ticks,
     /// Names in place of numbers, one for each row of the height 1, the first on top. What follows a
-    /// line break is said below the name.
+    /// line break is written below the name.
     pub names: Vec<String>,
 }
 
@@ -150,7 +150,7 @@ pub enum Shape {
         #[serde(deserialize_with = "nullable::rows")]
         boxes: Vec<[f64; 4]>,
     },
-    /// A line across the panel. An upright one has its name beside it.
+    /// A line across the panel. An upright one has its name next to it.
     Rule {
         /// Its value.
         #[cfg_attr(feature = "typescript", ts(type = "number | null"))]
@@ -172,12 +172,12 @@ pub enum Shape {
         /// A text for each.
         texts: Vec<String>,
     },
-    /// Triangles above the panel that mark places along it, numbered where the numbers fit.
+    /// Triangles above the panel that mark positions along it, numbered where the numbers fit.
     Marks {
         /// The horizontal values, in ascending order.
         #[cfg_attr(feature = "typescript", ts(type = "(number | null)[]"))]
         #[serde(deserialize_with = "nullable::numbers")]
-        places: Vec<f64>,
+        positions: Vec<f64>,
         /// The number of each that may be written above it.
         numbers: Vec<u32>,
         /// What may be written above all of them.
@@ -205,9 +205,9 @@ pub enum Marker {
 }
 
 impl Marker {
-    /// The marker of a group by its place: with four shapes and seven colours, 28 differ.
-    pub(crate) const fn of_group(place: usize) -> Self {
-        match place % 4 {
+    /// The marker of a group by its index: with four shapes and seven colours, 28 differ.
+    pub(crate) const fn of_group(index: usize) -> Self {
+        match index % 4 {
             0 => Self::Dot,
             1 => Self::Triangle,
             2 => Self::Ring,
@@ -258,7 +258,7 @@ impl Chart {
         self
     }
 
-    /// One without data: its caption says so.
+    /// One without data: its caption states so.
     pub(crate) fn empty(translator: &Translator, id: &str) -> Self {
         let caption = translator.text(&format!("figure-{id}-empty"));
         Self::new(translator, id, caption, Vec::new())
@@ -313,7 +313,7 @@ impl Axis {
     }
 }
 
-/// The middle of one of so many rows on an axis of names.
+/// The middle of a row on an axis of names.
 pub(crate) fn row_middle(rows: usize, row: usize) -> f64 {
     rows as f64 - row as f64 - 0.5
 }
@@ -377,7 +377,7 @@ impl Layer {
         )
     }
 
-    /// A vertical line with its name beside it.
+    /// A vertical line with its name next to it.
     pub(crate) fn upright(meaning: Meaning, at: f64, name: String) -> Self {
         let (width, dashes) = (1.5, Dashes::Solid);
         let shape = Shape::Rule {
@@ -430,7 +430,7 @@ impl Layer {
         self.meaning.colour().mixed(self.strength)
     }
 
-    /// All places that should be in sight: its points with the ends of their standard errors.
+    /// All positions that should be in sight: its points with the ends of their standard errors.
     fn extremes(&self) -> Vec<Point> {
         match &self.shape {
             Shape::Line { points, .. } | Shape::Labels { points, .. } => points.clone(),
@@ -475,8 +475,8 @@ pub(crate) fn ys(layers: &[Layer]) -> impl Iterator<Item = f64> {
 fn values(layers: &[Layer], axis: usize) -> impl Iterator<Item = f64> {
     layers.iter().flat_map(move |layer| {
         let extremes = layer.extremes().into_iter();
-        let places = extremes.filter(|[x, y]| x.is_finite() && y.is_finite());
+        let positions = extremes.filter(|[x, y]| x.is_finite() && y.is_finite());
         let rule = layer.rule(axis == 0).filter(|at| at.is_finite());
-        places.map(move |place| place[axis]).chain(rule)
+        positions.map(move |position| position[axis]).chain(rule)
     })
 }

@@ -1,4 +1,4 @@
-//! Numbers of JSON, where `null` is none.
+//! Numbers of JSON, where `null` is a missing number.
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};

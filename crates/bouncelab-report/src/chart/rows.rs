@@ -1,4 +1,4 @@
-//! The data of a chart as rows of one table, for whoever draws it with other means.
+//! The data of a chart as rows of one table, for other drawing programs.
 
 use super::{Chart, Shape};
 use crate::csv;
@@ -90,8 +90,8 @@ fn rows_of(shape: &Shape) -> Vec<Row> {
         Shape::Line { points, .. } => points.iter().map(|&point| at("line", point)).collect(),
         Shape::Points { points, errors, .. } => {
             let points = points.iter().enumerate();
-            let row = |(place, &point)| Row {
-                y_sd: errors.get(place).copied(),
+            let row = |(index, &point)| Row {
+                y_sd: errors.get(index).copied(),
                 ..at("points", point)
             };
             points.map(row).collect()
@@ -112,11 +112,13 @@ fn rows_of(shape: &Shape) -> Vec<Row> {
             boxes.iter().map(row).collect()
         }
         &Shape::Rule {
-            at: place, upright, ..
+            at: position,
+            upright,
+            ..
         } => vec![Row {
             kind: "rule",
-            x: upright.then_some(place),
-            y: (!upright).then_some(place),
+            x: upright.then_some(position),
+            y: (!upright).then_some(position),
             ..Row::default()
         }],
         Shape::Labels { points, texts } => {
@@ -126,13 +128,13 @@ fn rows_of(shape: &Shape) -> Vec<Row> {
             };
             points.iter().zip(texts).map(row).collect()
         }
-        Shape::Marks { places, .. } => {
-            let row = |&place: &f64| Row {
+        Shape::Marks { positions, .. } => {
+            let row = |&position: &f64| Row {
                 kind: "marks",
-                x: Some(place),
+                x: Some(position),
                 ..Row::default()
             };
-            places.iter().map(row).collect()
+            positions.iter().map(row).collect()
         }
     }
 }

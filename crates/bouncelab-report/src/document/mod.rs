@@ -2,7 +2,7 @@
 //!
 //! The schema `bouncelab.analysis/2` is the result types of the science themselves
 //! ([`bouncelab::Recording`]) with the name of the file, the settings and the version. Every quantity is
-//! in SI and carries its unit in its name. What cannot be told is `null`. Within a version fields are
+//! in SI and carries its unit in its name. An unknown value is `null`. Within a version fields are
 //! only ever added, so that a program may ignore what it does not know.
 //!
 //! ```
@@ -34,7 +34,7 @@ pub use tracker::tracker;
 /// Name and version of the schema.
 pub const SCHEMA: &str = "bouncelab.analysis/2";
 
-/// What one file says.
+/// The result of one file.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[cfg_attr(feature = "typescript", ts(rename = "AnalysisDocument"))]
@@ -61,7 +61,7 @@ pub struct FailedDocument<'a> {
     diagnostics: [(); 0],
 }
 
-/// What was known or assumed.
+/// The settings, given or assumed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[cfg_attr(feature = "typescript", ts(rename = "SettingsUsed"))]
@@ -75,7 +75,7 @@ pub(crate) struct Settings {
     buoyancy: bool,
     added_mass: bool,
     gravity_m_s2: f64,
-    /// What of this nobody stated.
+    /// Which of the settings were assumed.
     assumptions: Vec<Diagnostic>,
 }
 

@@ -20,7 +20,7 @@ pub const HEADER: [&str; 14] = [
     "apex_m",
 ];
 
-/// The rows of a result, each with a cell for each column of [`HEADER`]; what cannot be told is
+/// The rows of a result, each with a cell for each column of [`HEADER`]; an unknown value is
 /// empty.
 pub fn of(file: &str, recording: &Recording) -> Vec<[String; 14]> {
     let cell = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());

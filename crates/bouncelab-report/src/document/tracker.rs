@@ -4,7 +4,7 @@ use bouncelab::{Options, Recording};
 
 use crate::csv::line;
 
-/// The columns, by the names that Tracker takes for data of a track: time in s, place in m.
+/// The columns, by the names that Tracker takes for data of a track: time in s, position in m.
 const HEADER: [&str; 3] = ["t", "x", "y"];
 
 /// A row for each of some points along every flight: the height of the ball by the flight model as `y`, and `x`, which

@@ -13,7 +13,7 @@ use crate::messages::Translator;
 /// Name and version of the schema.
 pub const SCHEMA: &str = "bouncelab.verdict/2";
 
-/// What drops say of a rule.
+/// The conformity of drops with a rule.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct VerdictDocument {
     schema: &'static str,
@@ -89,14 +89,14 @@ struct Step {
 
 /// A verdict and all that it rests on.
 #[derive(Clone, Copy, Debug)]
-pub struct Judgement<'a> {
+pub struct Evaluation<'a> {
     /// The rule that was applied.
     pub rule: &'a Rule,
-    /// What was known or assumed.
+    /// The settings, given or assumed.
     pub setup: &'a Setup,
     /// How it was decided.
     pub decision: Decision,
-    /// What the drops say.
+    /// The result.
     pub verdict: &'a rulebook::Verdict,
     /// Names of the places, in order.
     pub files: &'a [String],
@@ -106,15 +106,15 @@ pub struct Judgement<'a> {
 
 impl VerdictDocument {
     /// The document of a verdict, with the sentences of its diagnostics.
-    pub fn new(judgement: &Judgement<'_>, words: &Translator) -> Self {
-        let Judgement {
+    pub fn new(evaluation: &Evaluation<'_>, translator: &Translator) -> Self {
+        let Evaluation {
             rule,
             setup,
             decision,
             verdict,
             files,
             reference_files,
-        } = *judgement;
+        } = *evaluation;
         let mut document = Self {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),
@@ -150,9 +150,9 @@ impl VerdictDocument {
                 .collect(),
             remarks: verdict.remarks.iter().map(Remark::diagnostic).collect(),
         };
-        words.complete_each(&mut document.settings.assumptions);
-        words.complete_each(&mut document.reasons);
-        words.complete_each(&mut document.remarks);
+        translator.complete_each(&mut document.settings.assumptions);
+        translator.complete_each(&mut document.reasons);
+        translator.complete_each(&mut document.remarks);
         document
     }
 }

@@ -1,21 +1,21 @@
 //! Height and energy loss of each bounce.
 
-use super::Subject;
+use super::FigureInput;
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::quantity::Unit;
 use crate::theme::Meaning;
 
 /// The height of each bounce against its number: with the air taken into account where that can be
-/// done, else as if there were none. The heights are logarithmic: whoever keeps the same share of its
+/// done, else as if there were none. The heights are logarithmic: a ball that keeps the same share of its
 /// speed at each impact makes a straight line.
-pub(super) fn heights(subject: &Subject<'_>, translator: &Translator) -> Chart {
+pub(super) fn heights(input: &FigureInput<'_>, translator: &Translator) -> Chart {
     let id = "bounce-heights";
     let (mut points, mut errors): (Vec<Point>, Vec<f64>) = (Vec::new(), Vec::new());
-    for flight in &subject.drop.flights {
-        let found = subject.drop.modelled_flight(flight.number);
-        let height_m = found.map_or(flight.drag_free_height_m, |found| found.flight.apex_m);
-        let error_m = found.and_then(|found| found.apex_sd_m);
+    for flight in &input.drop.flights {
+        let modelled = input.drop.modelled_flight(flight.number);
+        let height_m = modelled.map_or(flight.drag_free_height_m, |it| it.flight.apex_m);
+        let error_m = modelled.and_then(|it| it.apex_sd_m);
         points.push([flight.number as f64, 100.0 * height_m]);
         errors.push(100.0 * error_m.unwrap_or(f64::NAN));
     }
@@ -32,9 +32,9 @@ pub(super) fn heights(subject: &Subject<'_>, translator: &Translator) -> Chart {
 
 /// The energy that each impact takes, and the flight after it, one on top of the other. A loss below
 /// zero, which noise may make, shows as none.
-pub(super) fn energies(subject: &Subject<'_>, translator: &Translator) -> Chart {
+pub(super) fn energies(input: &FigureInput<'_>, translator: &Translator) -> Chart {
     let id = "bounce-energies";
-    let losses = subject.drop.energies(subject.settings);
+    let losses = input.drop.energies(input.settings);
     let tops = losses
         .iter()
         .map(|loss| loss.lost_to_surface_j.max(0.0) + loss.lost_to_air_j.max(0.0));

@@ -12,19 +12,25 @@ use crate::theme::Meaning;
 const ROW: f64 = 30.0;
 /// Sources below this share are added up.
 const SMALL: f64 = 0.005;
-/// What is too small to be written is left out.
-const LEAST: f64 = 0.0005;
+/// Smaller shares are not written.
+const MIN_WRITTEN: f64 = 0.0005;
 
 /// Bars for the share of each source in the variance of restitution and drop height, largest first.
-pub(super) fn budget(found: &Posterior, translator: &Translator) -> Chart {
-    let restitution = Quantity::of(&found.restitution, Unit::Number);
-    let height = Quantity::of(&found.drop_height_m, Unit::Length);
+pub(super) fn budget(posterior: &Posterior, translator: &Translator) -> Chart {
+    let restitution = Quantity::of(&posterior.restitution, Unit::Number);
+    let height = Quantity::of(&posterior.drop_height_m, Unit::Length);
     let title = |id: &str, value: Quantity| {
         translator.text_with(&format!("figure-budget-{id}"), &[("value", value.into())])
     };
     let shares = [
-        (title("restitution", restitution), &found.budget.restitution),
-        (title("drop-height", height), &found.budget.drop_height_m),
+        (
+            title("restitution", restitution),
+            &posterior.budget.restitution,
+        ),
+        (
+            title("drop-height", height),
+            &posterior.budget.drop_height_m,
+        ),
     ];
     let mut panels = Vec::new();
     for (title, shares) in shares {
@@ -56,7 +62,7 @@ fn bars(title: String, shares: &[Share], translator: &Translator) -> Option<Pane
         texts.push(translator.number(&format!("{percent:.decimals$}\u{a0}%")));
     }
     let names = sources.into_iter().map(|(name, _)| name);
-    // A margin for the share beside the longest bar.
+    // A margin for the share to the right of the longest bar.
     let scale = Scale::linear([0.0, 100.0]).padded(0.0, 0.15);
     let x = Axis::new(translator.text("figure-budget-axis"), "%", scale);
     let layers = vec![
@@ -75,7 +81,7 @@ fn sources(shares: &[Share], translator: &Translator) -> Vec<(String, f64)> {
         .filter(|s| s.share.is_finite() && s.share > 0.0);
     let (large, small): (Vec<&Share>, Vec<&Share>) = usable.partition(|share| share.share >= SMALL);
     let rest: f64 = small.iter().map(|share| share.share).sum();
-    let rest = (rest >= LEAST && !large.is_empty())
+    let rest = (rest >= MIN_WRITTEN && !large.is_empty())
         .then(|| (translator.text("figure-budget-others"), rest));
     let named = |share: &Share| (tables::source(share, translator), share.share);
     large.into_iter().map(named).chain(rest).collect()

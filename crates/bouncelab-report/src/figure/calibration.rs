@@ -24,8 +24,8 @@ pub fn calibration(histograms: &[RankHistogram], translator: &Translator) -> Cha
     for histogram in histograms.iter().filter(|h| !h.bins.is_empty()) {
         let panel = panel(histogram, translator);
         panels.push(Panel {
-            row: place(&mut scenarios, &histogram.scenario),
-            column: place(&mut quantities, &histogram.quantity),
+            row: index_of(&mut scenarios, &histogram.scenario),
+            column: index_of(&mut quantities, &histogram.quantity),
             ..panel
         });
     }
@@ -49,8 +49,8 @@ pub fn calibration(histograms: &[RankHistogram], translator: &Translator) -> Cha
     chart
 }
 
-/// The place of a name in a list, to which it is added if it is new.
-fn place<'a>(names: &mut Vec<&'a str>, name: &'a str) -> usize {
+/// The index of a name in a list, to which a new name is added.
+fn index_of<'a>(names: &mut Vec<&'a str>, name: &'a str) -> usize {
     names
         .iter()
         .position(|known| *known == name)

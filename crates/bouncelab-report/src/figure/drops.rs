@@ -4,15 +4,15 @@ use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::theme::Meaning;
 
-/// More drops than this cannot be told apart by eye.
-const MOST: usize = 6;
+/// More drops cannot be distinguished by eye.
+const MAX_DROPS: usize = 6;
 
-/// What is known of a drop.
+/// A drop in the figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DropSummary {
     /// Name, as in the legend.
     pub name: String,
-    /// Restitution with its standard deviation, which is not a number if it is not known.
+    /// Restitution with its standard deviation, which is NaN if it is unknown.
     pub restitution: Option<(f64, f64)>,
     /// Speed in m/s and restitution of each impact.
     pub impacts: Vec<Point>,
@@ -45,9 +45,9 @@ pub fn drops(drops: &[DropSummary], translator: &Translator) -> Chart {
 /// Restitution against impact speed of the last drops.
 pub fn drop_impacts(drops: &[DropSummary], translator: &Translator) -> Chart {
     let id = "drop-impacts";
-    let shown = &drops[drops.len().saturating_sub(MOST)..];
-    let layers = shown.iter().enumerate().map(|(place, drop)| {
-        let (meaning, marker) = (Meaning::Group(place), Marker::of_group(place));
+    let shown = &drops[drops.len().saturating_sub(MAX_DROPS)..];
+    let layers = shown.iter().enumerate().map(|(index, drop)| {
+        let (meaning, marker) = (Meaning::Group(index), Marker::of_group(index));
         Layer::points(meaning, marker, drop.impacts.clone()).named(&*drop.name)
     });
     let layers: Vec<Layer> = layers.collect();
@@ -69,10 +69,10 @@ pub fn drop_impacts(drops: &[DropSummary], translator: &Translator) -> Chart {
 /// An axis on which noise does not look large.
 fn restitution_axis(layers: &[Layer], translator: &Translator) -> Axis {
     /// Differences below this are of no interest.
-    const LEAST: f64 = 0.01;
+    const MIN_HALF_WIDTH: f64 = 0.01;
     let bulk = Scale::bulk(ys(layers));
     let middle = f64::midpoint(bulk.low(), bulk.high());
-    let half = (0.5 * (bulk.high() - bulk.low())).max(LEAST);
+    let half = (0.5 * (bulk.high() - bulk.low())).max(MIN_HALF_WIDTH);
     let scale = Scale::linear([middle - half, middle + half]).padded(0.06, 0.06);
     Axis::new(translator.text("axis-restitution"), "", scale)
 }

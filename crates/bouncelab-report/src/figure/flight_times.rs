@@ -1,6 +1,6 @@
 //! Flight time against bounce number, with the log-linear fit of the paper (Fig. 5).
 
-use super::Subject;
+use super::FigureInput;
 use crate::chart::{Axis, Chart, Dashes, Layer, Marker, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
@@ -43,13 +43,13 @@ impl From<&bouncelab::regression::LogLinearFit> for Line {
     }
 }
 
-pub(super) fn of_drop(subject: &Subject<'_>, translator: &Translator) -> Chart {
-    let flights = subject.drop.flights.iter().map(|flight| TimedFlight {
+pub(super) fn of_drop(input: &FigureInput<'_>, translator: &Translator) -> Chart {
+    let flights = input.drop.flights.iter().map(|flight| TimedFlight {
         number: flight.number,
         time_s: flight.time_s,
         used: flight.in_fit,
     });
-    let line = subject.drop.log_linear_fit.as_ref().ok().map(Line::from);
+    let line = input.drop.log_linear_fit.as_ref().ok().map(Line::from);
     flight_times(&flights.collect::<Vec<_>>(), line, translator)
 }
 

@@ -4,8 +4,8 @@ use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::theme::Meaning;
 
-/// More groups than this cannot be told apart by eye.
-const MOST: usize = 12;
+/// More groups cannot be distinguished by eye.
+const MAX_GROUPS: usize = 12;
 
 /// The mean restitution of a group at a speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,7 +14,7 @@ pub struct GroupPoint {
     pub speed_m_s: f64,
     /// Mean restitution.
     pub value: f64,
-    /// Where the mean lies with 95 % confidence, if that can be told.
+    /// The 95 % confidence interval of the mean, if it is known.
     pub interval95: Option<[f64; 2]>,
 }
 
@@ -34,12 +34,12 @@ pub struct GroupCurve {
 ///
 /// The first twelve groups are drawn.
 pub fn groups(groups: &[GroupCurve], translator: &Translator) -> Chart {
-    let shown = &groups[..groups.len().min(MOST)];
+    let shown = &groups[..groups.len().min(MAX_GROUPS)];
     let specks = specks(shown);
     let mut bands = Vec::new();
     let mut means = Vec::new();
-    for (place, group) in shown.iter().enumerate() {
-        let meaning = Meaning::Group(place);
+    for (index, group) in shown.iter().enumerate() {
+        let meaning = Meaning::Group(index);
         let band = group.means.iter().filter_map(|point| {
             let [low, high] = point.interval95?;
             Some([point.speed_m_s, low, high])
@@ -47,7 +47,7 @@ pub fn groups(groups: &[GroupCurve], translator: &Translator) -> Chart {
         bands.push(Layer::band(meaning, band.collect()).pale(0.2));
         let mean = group.means.iter().map(|p| [p.speed_m_s, p.value]);
         let mean: Vec<Point> = mean.collect();
-        let marker = Marker::of_group(place);
+        let marker = Marker::of_group(index);
         means.push(Layer::line(meaning, mean.clone()));
         means.push(Layer::points(meaning, marker, mean).named(&*group.name));
     }
@@ -60,9 +60,9 @@ pub fn groups(groups: &[GroupCurve], translator: &Translator) -> Chart {
     let speeds = xs(&specks).chain(xs(&means)).chain([0.0]);
     let x = Scale::linear(speeds).padded(0.0, 0.04);
     let mut caption = translator.text("figure-groups-caption");
-    if groups.len() > MOST {
+    if groups.len() > MAX_GROUPS {
         caption.push(' ');
-        let counts = [("shown", MOST.into()), ("all", groups.len().into())];
+        let counts = [("shown", MAX_GROUPS.into()), ("all", groups.len().into())];
         caption.push_str(&translator.text_with("figure-groups-more", &counts));
     }
     let panel = Panel::new(
@@ -78,10 +78,10 @@ pub fn groups(groups: &[GroupCurve], translator: &Translator) -> Chart {
 fn specks(groups: &[GroupCurve]) -> Vec<Layer> {
     const TURNS: usize = 8;
     let turns = (0..TURNS).flat_map(|turn| {
-        groups.iter().enumerate().map(move |(place, group)| {
+        groups.iter().enumerate().map(move |(index, group)| {
             let impacts = group.impacts.iter().skip(turn).step_by(TURNS);
             let impacts = impacts.copied().collect();
-            Layer::points(Meaning::Group(place), Marker::Speck, impacts).pale(0.5)
+            Layer::points(Meaning::Group(index), Marker::Speck, impacts).pale(0.5)
         })
     });
     turns.collect()

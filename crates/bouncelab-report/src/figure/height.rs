@@ -2,7 +2,7 @@
 
 use bouncelab::analysis::HeightHistory;
 
-use super::{Curve, Subject, curve_layers};
+use super::{Curve, FigureInput, curve_layers};
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::quantity::Unit;
@@ -10,9 +10,9 @@ use crate::tables::drag_law;
 use crate::theme::Meaning;
 
 /// Height against time by the flight model, from impact to impact, with the measured apexes.
-pub(super) fn of_drop(subject: &Subject<'_>, translator: &Translator) -> Chart {
-    let HeightHistory { points, apexes, .. } = subject.drop.height_history(subject.settings);
-    let drag = drag_law(subject.settings.environment.drag, translator);
+pub(super) fn of_drop(input: &FigureInput<'_>, translator: &Translator) -> Chart {
+    let HeightHistory { points, apexes, .. } = input.drop.height_history(input.settings);
+    let drag = drag_law(input.settings.environment.drag, translator);
     let name = translator.text_with("figure-height-model", &[("drag", drag.into())]);
     let meaning = Meaning::Drag;
     let curve = Curve {
@@ -25,19 +25,19 @@ pub(super) fn of_drop(subject: &Subject<'_>, translator: &Translator) -> Chart {
 
 /// Height against time as measured, over the drop that the answers describe or a simulation of the
 /// reader.
-pub(super) fn comparison(subject: &Subject<'_>, translator: &Translator) -> Chart {
+pub(super) fn comparison(input: &FigureInput<'_>, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-comparison-{id}"));
-    let (name, simulated) = match subject.simulation {
+    let (name, simulated) = match input.simulation {
         Some(points) => (text("simulation"), points.to_vec()),
         None => (
             text("best-fit"),
-            subject
+            input
                 .drop
-                .best_fit_history(subject.settings)
+                .best_fit_history(input.settings)
                 .unwrap_or_default(),
         ),
     };
-    let measured = subject.drop.height_history(subject.settings).points;
+    let measured = input.drop.height_history(input.settings).points;
     let simulated = Curve {
         name,
         meaning: Meaning::Drag,

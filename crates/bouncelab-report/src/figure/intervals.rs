@@ -14,9 +14,9 @@ pub struct GroupInterval {
     pub name: String,
     /// The mean.
     pub mean: f64,
-    /// Where it lies with 95 % confidence, if that can be told.
+    /// Its 95 % confidence interval, if it is known.
     pub interval95: Option<[f64; 2]>,
-    /// Where the next drop lies with 95 % confidence, if that can be told.
+    /// The 95 % prediction interval of the next drop, if it is known.
     pub next95: Option<[f64; 2]>,
     /// The values of the drops, and whether each is an outlier.
     pub drops: Vec<(f64, bool)>,
@@ -41,9 +41,9 @@ pub fn intervals(groups: &[GroupInterval], at_speed_m_s: f64, translator: &Trans
         if let Some([low, high]) = group.interval95 {
             interval.extend([[low, middle], [high, middle], [f64::NAN; 2]]);
         }
-        for (place, &(value, is_outlier)) in group.drops.iter().enumerate() {
+        for (index, &(value, is_outlier)) in group.drops.iter().enumerate() {
             // Spread over the row, so that equal values are seen.
-            let point: Point = [value, middle + 0.26 * spread(place)];
+            let point: Point = [value, middle + 0.26 * spread(index)];
             if is_outlier {
                 outliers.push(point);
             } else {
@@ -78,8 +78,8 @@ pub fn intervals(groups: &[GroupInterval], at_speed_m_s: f64, translator: &Trans
     Chart::new(translator, "intervals", text("caption"), vec![panel])
 }
 
-/// From -1 to 1, evenly for any number of places: multiples of the golden section.
-fn spread(place: usize) -> f64 {
+/// From -1 to 1, evenly for any number of indices: multiples of the golden section.
+fn spread(index: usize) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    2.0 * (place as f64 * GOLDEN).fract() - 1.0
+    2.0 * (index as f64 * GOLDEN).fract() - 1.0
 }

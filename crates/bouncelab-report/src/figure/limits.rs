@@ -9,18 +9,18 @@ use crate::theme::Meaning;
 
 const ROW: f64 = 30.0;
 /// More rows than this are no figure any more.
-const MOST: usize = 40;
+const MAX_ROWS: usize = 40;
 /// Beyond any axis.
 const ENDLESS: f64 = 1e30;
 
 /// A value to be held against limits.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Judged {
+pub struct EvaluatedValue {
     /// Name in a few words.
     pub name: String,
     /// The value.
     pub value: f64,
-    /// Where it lies with 95 % probability, if that can be told.
+    /// Its 95 % credible interval, if it is known.
     pub interval95: Option<[f64; 2]>,
     /// Whether the decision is about this value; the others lead to it.
     pub decides: bool,
@@ -29,15 +29,17 @@ pub struct Judged {
 /// One row for each value, over the range between the limits and, darker, the range in which a value
 /// of this uncertainty is accepted.
 pub fn limits(
-    judged: &[Judged],
+    evaluated: &[EvaluatedValue],
     limits: [Option<f64>; 2],
     accepted: [Option<f64>; 2],
     (quantity, unit): (String, &str),
     translator: &Translator,
 ) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-limits-{id}"));
-    let usable = judged.iter().filter(|judged| judged.value.is_finite());
-    let usable: Vec<&Judged> = usable.take(MOST).collect();
+    let usable = evaluated
+        .iter()
+        .filter(|evaluated| evaluated.value.is_finite());
+    let usable: Vec<&EvaluatedValue> = usable.take(MAX_ROWS).collect();
     let rows = usable.len();
     if rows == 0 {
         return Chart::empty(translator, "limits");
@@ -49,13 +51,13 @@ pub fn limits(
     }
     for (decides, meaning, width) in [(true, Meaning::Measured, 8.0), (false, Meaning::Soft, 4.0)] {
         let (mut intervals, mut values) = (Vec::new(), Vec::new());
-        for (row, judged) in usable.iter().enumerate() {
-            if judged.decides == decides {
+        for (row, evaluated) in usable.iter().enumerate() {
+            if evaluated.decides == decides {
                 let middle = row_middle(rows, row);
-                if let Some([low, high]) = judged.interval95 {
+                if let Some([low, high]) = evaluated.interval95 {
                     intervals.extend([[low, middle], [high, middle], [f64::NAN; 2]]);
                 }
-                values.push([judged.value, middle]);
+                values.push([evaluated.value, middle]);
             }
         }
         let name = if intervals.is_empty() {
@@ -82,7 +84,9 @@ pub fn limits(
         shade(limits, "within", 0.12),
         shade(accepted, "accepted", 0.25),
     ];
-    let names = usable.iter().map(|judged| judged.name.replace('\n', " "));
+    let names = usable
+        .iter()
+        .map(|evaluated| evaluated.name.replace('\n', " "));
     let x = Axis::new(quantity, unit, scale);
     let y = Axis::of_names(names.collect());
     let layers = shades.into_iter().flatten().chain(layers).collect();
@@ -103,21 +107,21 @@ pub fn verdict(rule: &Rule, verdict: &Verdict, files: &[String], translator: &Tr
         }
     };
     let scaled = |limits: Limits| [limits.least, limits.greatest].map(|end| Some(end? * SHOWN));
-    let judged = |name: String, found: &Estimate, decides: bool| Judged {
+    let evaluated = |name: String, estimate: &Estimate, decides: bool| EvaluatedValue {
         name,
-        value: found.value * SHOWN,
-        interval95: Some(found.interval95.map(|end| end * SHOWN)),
+        value: estimate.value * SHOWN,
+        interval95: Some(estimate.interval95.map(|end| end * SHOWN)),
         decides,
     };
-    let mut rows: Vec<Judged> = decides
+    let mut rows: Vec<EvaluatedValue> = decides
         .iter()
-        .map(|found| judged(translator.text("verdict-all-drops"), found, true))
+        .map(|estimate| evaluated(translator.text("verdict-all-drops"), estimate, true))
         .collect();
     if verdict.share.is_none() {
         let name = |drop: &Rebound| files.get(drop.place).cloned().unwrap_or_default();
         let drops = verdict.drops.iter();
         rows.extend(
-            drops.filter_map(|drop| Some(judged(name(drop), drop.predicted_m.as_ref()?, false))),
+            drops.filter_map(|drop| Some(evaluated(name(drop), drop.predicted_m.as_ref()?, false))),
         );
     }
     let accepted = verdict.accepted.map_or([None; 2], scaled);

@@ -1,17 +1,17 @@
 //! The figures, one file each: data in, a [`Chart`] out.
 //!
-//! Points that are not numbers are left out; a figure without any usable point says so instead of
+//! Points that are not numbers are left out; a figure without any usable point states so instead of
 //! showing empty axes. A new figure of a drop is a file here and an entry of `OF_DROP`: then the program
 //! saves it, the report has it in its section, and the page shows it under its tab.
 //!
 //! ```
 //! use bouncelab::{Options, analyze_times};
-//! use bouncelab_report::figure::{self, Subject};
+//! use bouncelab_report::figure::{self, FigureInput};
 //!
 //! let options = Options::default().without_inference();
 //! let result = analyze_times(&[0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], &options);
-//! let subject = Subject::new(&result.drops[0], &options);
-//! let names: Vec<_> = figure::of_drop(&subject).map(|figure| figure.name).collect();
+//! let input = FigureInput::new(&result.drops[0], &options);
+//! let names: Vec<_> = figure::of_drop(&input).map(|figure| figure.name).collect();
 //! let plain = ["restitution", "flight-times", "height", "bounce-heights", "bounce-energies"];
 //! assert_eq!(names, plain);
 //! ```
@@ -49,7 +49,7 @@ pub use flight_times::{Line, TimedFlight, flight_times};
 pub use groups::{GroupCurve, GroupPoint, groups};
 pub use height::height;
 pub use intervals::{GroupInterval, intervals};
-pub use limits::{Judged, limits, verdict};
+pub use limits::{EvaluatedValue, limits, verdict};
 pub use run_chart::{RunPoint, run_chart};
 pub(crate) use runs::flight_times as flight_times_of;
 pub use runs::{Run, curve_of, runs};
@@ -59,15 +59,15 @@ use crate::chart::{Chart, Dashes, Layer, Point};
 use crate::messages::Translator;
 use crate::theme::Meaning;
 
-/// One drop and what figures show besides.
+/// What the figures of a drop are made of.
 #[derive(Debug, Clone, Copy)]
-pub struct Subject<'a> {
+pub struct FigureInput<'a> {
     drop: &'a Drop,
     settings: &'a Options,
     simulation: Option<&'a [Point]>,
 }
 
-impl<'a> Subject<'a> {
+impl<'a> FigureInput<'a> {
     /// A drop and the settings with which it was analysed.
     pub const fn new(drop: &'a Drop, settings: &'a Options) -> Self {
         Self {
@@ -77,7 +77,7 @@ impl<'a> Subject<'a> {
         }
     }
 
-    /// With a simulation of the reader to compare with: time in s, in that of the recording, and
+    /// With a simulation to compare with: time in s, in that of the recording, and
     /// height in m.
     #[must_use]
     pub const fn with_simulation(self, simulation: Option<&'a [Point]>) -> Self {
@@ -116,14 +116,14 @@ pub struct Figure {
     pub name: &'static str,
     /// Where the report has it.
     pub section: ReportSection,
-    applies: fn(&Subject<'_>) -> bool,
+    applies: fn(&FigureInput<'_>) -> bool,
     draw: Draw,
 }
 
 impl Figure {
     /// The chart of a drop.
-    pub fn chart(&self, subject: &Subject<'_>, translator: &Translator) -> Chart {
-        (self.draw)(subject, translator)
+    pub fn chart(&self, input: &FigureInput<'_>, translator: &Translator) -> Chart {
+        (self.draw)(input, translator)
     }
 }
 
@@ -143,7 +143,7 @@ const OF_DROP: [Figure; 11] = {
         always("bounce-heights", Impacts, bounces::heights),
         always("bounce-energies", Impacts, bounces::energies),
         Figure {
-            applies: |subject| subject.inference().is_some() || subject.simulation.is_some(),
+            applies: |input| input.inference().is_some() || input.simulation.is_some(),
             ..always("comparison", Fit, height::comparison)
         },
         inferred("posterior", Contraction, |s, translator| {
@@ -156,18 +156,18 @@ const OF_DROP: [Figure; 11] = {
             of_inference(s, "budget", translator, budget::budget)
         }),
         Figure {
-            applies: |subject| {
-                subject
+            applies: |input| {
+                input
                     .inference()
-                    .is_some_and(|found| found.models.len() > 1)
+                    .is_some_and(|posterior| posterior.models.len() > 1)
             },
             ..inferred("models", Laws, |s, translator| {
                 of_inference(s, "models", translator, models::models)
             })
         },
         Figure {
-            applies: |subject| {
-                subject.inference().is_some() && subject.drop.truncation_points().len() > 2
+            applies: |input| {
+                input.inference().is_some() && input.drop.truncation_points().len() > 2
             },
             ..inferred("truncation", Fit, truncation::truncation)
         },
@@ -175,7 +175,7 @@ const OF_DROP: [Figure; 11] = {
 };
 
 /// How a figure is drawn.
-type Draw = fn(&Subject<'_>, &Translator) -> Chart;
+type Draw = fn(&FigureInput<'_>, &Translator) -> Chart;
 
 const fn always(name: &'static str, section: ReportSection, draw: Draw) -> Figure {
     Figure {
@@ -188,19 +188,19 @@ const fn always(name: &'static str, section: ReportSection, draw: Draw) -> Figur
 
 const fn inferred(name: &'static str, section: ReportSection, draw: Draw) -> Figure {
     Figure {
-        applies: |subject| subject.inference().is_some(),
+        applies: |input| input.inference().is_some(),
         ..always(name, section, draw)
     }
 }
 
 fn of_inference(
-    subject: &Subject<'_>,
+    input: &FigureInput<'_>,
     name: &str,
     translator: &Translator,
     draw: fn(&Posterior, &Translator) -> Chart,
 ) -> Chart {
-    match subject.inference() {
-        Some(found) => draw(found, translator),
+    match input.inference() {
+        Some(posterior) => draw(posterior, translator),
         None => Chart::empty(translator, name),
     }
 }
@@ -216,20 +216,18 @@ pub fn tab(name: &str, translator: &Translator) -> String {
 }
 
 /// The figures that there are of a drop: of what was detected, and of the inference if there is one.
-pub fn of_drop(subject: &Subject<'_>) -> impl Iterator<Item = Figure> {
-    OF_DROP
-        .into_iter()
-        .filter(|figure| (figure.applies)(subject))
+pub fn of_drop(input: &FigureInput<'_>) -> impl Iterator<Item = Figure> {
+    OF_DROP.into_iter().filter(|figure| (figure.applies)(input))
 }
 
 /// The chart of a drop by its name; `None` if there is no such figure of this drop.
-pub fn chart(name: &str, subject: &Subject<'_>, translator: &Translator) -> Option<Chart> {
-    let figure = of_drop(subject).find(|figure| figure.name == name)?;
-    Some(figure.chart(subject, translator))
+pub fn chart(name: &str, input: &FigureInput<'_>, translator: &Translator) -> Option<Chart> {
+    let figure = of_drop(input).find(|figure| figure.name == name)?;
+    Some(figure.chart(input, translator))
 }
 
 /// The figures of the air with their names, up to the fastest impact of the drops; none without drag,
-/// or if no speed is known.
+/// or if no speed is available.
 pub fn of_air(
     drops: &[Drop],
     settings: &Options,
@@ -256,7 +254,7 @@ pub struct Curve {
     /// What it shows, which decides its colour. Curves with the same meaning differ by their
     /// dashes.
     pub meaning: Meaning,
-    /// The points in the order of drawing; the figure says in which units. A point that is
+    /// The points in the order of drawing; the figure defines the units. A point that is
     /// not a number interrupts the curve.
     pub points: Vec<Point>,
 }

@@ -10,10 +10,10 @@ use crate::theme::Meaning;
 /// Height of a row.
 const ROW: f64 = 32.0;
 
-/// Probability of each model as a bar, and beside it what it says of the drop height.
-pub(super) fn models(found: &Posterior, translator: &Translator) -> Chart {
+/// Probability of each model as a bar, and next to it the drop height by that model.
+pub(super) fn models(posterior: &Posterior, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-models-{id}"));
-    let models = &found.models;
+    let models = &posterior.models;
     let (rows, height) = (models.len(), ROW * models.len() as f64);
     let (mut bars, mut ends, mut shares) = (Vec::new(), Vec::new(), Vec::new());
     let (mut intervals, mut values) = (Vec::new(), Vec::new());
@@ -34,7 +34,7 @@ pub(super) fn models(found: &Posterior, translator: &Translator) -> Chart {
         format!("{law}, {}", drag_law(model.drag_law, translator))
     });
     let names = Axis::of_names(names.collect());
-    // A margin for the share beside the longest bar.
+    // A margin for the share to the right of the longest bar.
     let probability = Axis::new(text("probability"), "%", Scale::linear([0.0, 160.0]));
     let heights = Scale::linear(intervals.iter().map(|p| p[0])).padded(0.08, 0.08);
     let heights = Axis::new(translator.text("axis-drop-height"), "cm", heights);

@@ -21,14 +21,14 @@ struct Parameter<'a> {
     axis: Axis,
     /// Equally likely values in the unit of the axis; those of the same index belong together.
     values: std::borrow::Cow<'a, [f64]>,
-    /// What was known before, as mean and standard deviation of a normal distribution.
+    /// The prior, as mean and standard deviation of a normal distribution.
     prior: Option<(f64, f64)>,
 }
 
 /// The posterior of restitution, drag coefficient and drop height: a histogram of each on the diagonal,
-/// with what was known before as a grey curve, and below it each pair: the regions that hold 68 and
+/// with the prior as a grey curve, and below it each pair: the regions that hold 68 and
 /// 95 %.
-pub(super) fn posterior(found: &Posterior, translator: &Translator) -> Chart {
+pub(super) fn posterior(posterior: &Posterior, translator: &Translator) -> Chart {
     let parameter = |id: &str, unit, values: std::borrow::Cow<'static, [f64]>, prior| {
         let axis = Axis::new(translator.text(id), unit, scale(&values));
         Parameter {
@@ -37,7 +37,7 @@ pub(super) fn posterior(found: &Posterior, translator: &Translator) -> Chart {
             prior,
         }
     };
-    let draws = &found.draws;
+    let draws = &posterior.draws;
     let height = draws.drop_height_m.iter().map(|height| height * 100.0);
     let mut parameters = vec![
         parameter(
@@ -48,8 +48,8 @@ pub(super) fn posterior(found: &Posterior, translator: &Translator) -> Chart {
         ),
         parameter("axis-height", "cm", height.collect(), None),
     ];
-    if found.drag_coefficient.is_some() {
-        let prior = found
+    if posterior.drag_coefficient.is_some() {
+        let prior = posterior
             .drag_coefficient_prior
             .map(|prior| (prior.value, prior.sd));
         let values = draws.drag_coefficient.clone().into();
@@ -125,20 +125,20 @@ fn edge(scale: &Scale, cell: usize) -> f64 {
     scale.low() + (scale.high() - scale.low()) * cell as f64 / CELLS as f64
 }
 
-/// The density of one quantity, and what was known of it before.
+/// The density of one quantity, and its prior.
 fn histogram(parameter: &Parameter, translator: &Translator) -> (Axis, Vec<Layer>) {
     let scale = &parameter.axis.scale;
     let mut counts = [0.0_f64; CELLS];
-    for place in parameter.values.iter().filter_map(|&v| cell(scale, v)) {
-        counts[place] += 1.0;
+    for index in parameter.values.iter().filter_map(|&v| cell(scale, v)) {
+        counts[index] += 1.0;
     }
     let width = (scale.high() - scale.low()) / CELLS as f64;
     let area: f64 = counts.iter().sum::<f64>() * width;
     let bars = counts.iter().enumerate().filter(|(_, count)| **count > 0.0);
-    let bars = bars.map(|(place, count)| {
+    let bars = bars.map(|(index, count)| {
         [
-            edge(scale, place),
-            edge(scale, place + 1),
+            edge(scale, index),
+            edge(scale, index + 1),
             0.0,
             count / area,
         ]

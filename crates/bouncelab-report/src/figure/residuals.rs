@@ -7,14 +7,17 @@ use crate::messages::Translator;
 use crate::theme::Meaning;
 
 /// Beyond this many standard deviations a residual is an arrow head at the edge.
-const MOST: f64 = 5.0;
+const MAX_SHOWN: f64 = 5.0;
 
 /// Standardised residual of each impact against its number, with the bands in which 68 and 95 % of
 /// them should lie.
-pub(super) fn residuals(found: &Posterior, translator: &Translator) -> Chart {
+pub(super) fn residuals(posterior: &Posterior, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-residuals-{id}"));
     let points = |odd: bool| -> Vec<Point> {
-        let impacts = found.impacts.iter().filter(|impact| impact.is_odd() == odd);
+        let impacts = posterior
+            .impacts
+            .iter()
+            .filter(|impact| impact.is_odd() == odd);
         let residuals = impacts.filter_map(|i| Some([i.number as f64, i.standardised_residual?]));
         residuals.collect()
     };
@@ -28,7 +31,7 @@ pub(super) fn residuals(found: &Posterior, translator: &Translator) -> Chart {
         return Chart::empty(translator, "residuals");
     }
     let x = Scale::counting(xs(&layers)).padded(0.03, 0.03);
-    let highest = ys(&layers).map(f64::abs).fold(3.0, f64::max).min(MOST);
+    let highest = ys(&layers).map(f64::abs).fold(3.0, f64::max).min(MAX_SHOWN);
     let y = Scale::linear([-highest, highest]).padded(0.05, 0.05);
     let band = |sd: f64| Layer::boxes(Meaning::Expected, vec![[x.low(), x.high(), -sd, sd]]);
     let zero = Layer::level(Meaning::Expected, 0.0).with_width(1.0);

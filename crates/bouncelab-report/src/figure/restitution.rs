@@ -3,27 +3,27 @@
 use bouncelab::analysis::Drop;
 use bouncelab::inference::ImpactPosterior;
 
-use super::Subject;
+use super::FigureInput;
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
 use crate::theme::Meaning;
 
 /// Without air most restitutions are near each other, and those of fast impacts far below: they are
-/// shown as long as they lie within so many times the distance of the quartiles.
+/// shown as long as they lie within this multiple of the interquartile range.
 const TAIL: f64 = 15.0;
 
 /// Restitution of each impact against its speed: as if there were no air (the ratio of neighbouring
 /// flight times), corrected for air drag, the fitted law with its intervals, and the one value of the
 /// straight line. The vertical axis shows the bulk of the values; those far off are arrow heads at its
 /// edge.
-pub(super) fn restitution(subject: &Subject<'_>, translator: &Translator) -> Chart {
-    let drop = subject.drop;
+pub(super) fn restitution(input: &FigureInput<'_>, translator: &Translator) -> Chart {
+    let drop = input.drop;
     let text = |id: &str| translator.text(&format!("figure-restitution-{id}"));
     let impacts = drop
         .per_impact
         .as_ref()
-        .map_or(&[][..], |found| &found.impacts);
+        .map_or(&[][..], |per_impact| &per_impact.impacts);
     if impacts.is_empty() {
         return Chart::empty(translator, "restitution");
     }
@@ -70,14 +70,14 @@ pub(super) fn restitution(subject: &Subject<'_>, translator: &Translator) -> Cha
         "m/s",
         Scale::linear(speeds).padded(0.0, 0.04),
     );
-    let odd = odd(drop, &corrected);
-    let odd = (!odd.is_empty())
-        .then(|| Layer::points(Meaning::Drag, Marker::OpenTriangle, odd).named(text("odd")));
+    let outliers = outliers(drop, &corrected);
+    let outliers = (!outliers.is_empty())
+        .then(|| Layer::points(Meaning::Drag, Marker::OpenTriangle, outliers).named(text("odd")));
     let layers = law
         .into_iter()
         .chain(line)
         .chain(layers)
-        .chain(odd)
+        .chain(outliers)
         .collect();
     let panel = Panel::new(250.0, x, y, layers);
     Chart::new(translator, "restitution", text("caption"), vec![panel])
@@ -85,10 +85,10 @@ pub(super) fn restitution(subject: &Subject<'_>, translator: &Translator) -> Cha
 
 /// The fitted law with the 95 and the 68 % interval below it; nothing without inference.
 fn law(drop: &Drop, name: &str) -> Vec<Layer> {
-    let Ok(found) = &drop.posterior else {
+    let Ok(posterior) = &drop.posterior else {
         return Vec::new();
     };
-    let band = &found.band;
+    let band = &posterior.band;
     let points = band.iter().map(|p| [p.speed_m_s, p.restitution.value]);
     let points: Vec<Point> = points.collect();
     let interval = |of: fn(&bouncelab::Estimate) -> [f64; 2]| {
@@ -105,15 +105,19 @@ fn law(drop: &Drop, name: &str) -> Vec<Layer> {
     ]
 }
 
-/// The points of the impacts that the inference finds odd.
-fn odd(drop: &Drop, corrected: &[Point]) -> Vec<Point> {
-    let (Ok(found), Ok(estimate)) = (&drop.per_impact, &drop.posterior) else {
+/// The points of the impacts that the inference treats as outliers.
+fn outliers(drop: &Drop, corrected: &[Point]) -> Vec<Point> {
+    let (Ok(per_impact), Ok(posterior)) = (&drop.per_impact, &drop.posterior) else {
         return Vec::new();
     };
-    let numbered = found.impacts.iter().zip(corrected);
-    let is_odd = |number| estimate.impact(number).is_some_and(ImpactPosterior::is_odd);
+    let numbered = per_impact.impacts.iter().zip(corrected);
+    let is_outlier = |number| {
+        posterior
+            .impact(number)
+            .is_some_and(ImpactPosterior::is_odd)
+    };
     numbered
-        .filter(|(impact, _)| is_odd(impact.number))
+        .filter(|(impact, _)| is_outlier(impact.number))
         .map(|(_, &point)| point)
         .collect()
 }

@@ -8,7 +8,7 @@ use crate::theme::Meaning;
 
 const ID: &str = "run";
 /// With more groups than this a legend would hide the drops.
-const MOST_NAMED: usize = 8;
+const MAX_NAMED: usize = 8;
 /// With more drops than this they are specks without errors.
 const CROWDED: usize = 400;
 
@@ -17,16 +17,16 @@ const CROWDED: usize = 400;
 pub struct RunPoint {
     /// Its value less the median of its group.
     pub off: f64,
-    /// Its own standard error, if known.
+    /// Its own standard error, if it has one.
     pub standard_error: Option<f64>,
-    /// The place of its group.
+    /// The index of its group.
     pub group: usize,
     /// Whether it does not belong to its group.
     pub outlier: bool,
 }
 
 /// Each drop less the median of its group, in the order of the list, with the limits within which
-/// drops lie as long as nothing changes. `groups` are the names of the groups, by their place.
+/// drops lie as long as nothing changes. `groups` are the names of the groups, by index.
 pub fn run_chart(
     points: &[RunPoint],
     groups: &[String],
@@ -43,30 +43,30 @@ pub fn run_chart(
         return Chart::empty(translator, ID);
     }
     let crowded = numbered.len() > CROWDED;
-    let named = (2..=MOST_NAMED).contains(&groups.len());
+    let named = (2..=MAX_NAMED).contains(&groups.len());
     let layer = |meaning, marker, shown: &dyn Fn(&RunPoint) -> bool| {
         let shown = || numbered.iter().filter(|(_, point)| shown(point));
-        let places = shown().map(|(order, point)| [*order, point.off]).collect();
+        let positions = shown().map(|(order, point)| [*order, point.off]).collect();
         let errors = shown().map(|(_, point)| point.standard_error.unwrap_or(f64::NAN));
         let errors = if crowded {
             Vec::new()
         } else {
             errors.collect()
         };
-        Layer::points(meaning, marker, places).with_errors(errors)
+        Layer::points(meaning, marker, positions).with_errors(errors)
     };
-    let places: BTreeSet<usize> = numbered.iter().map(|(_, point)| point.group).collect();
-    let mut layers: Vec<Layer> = places
+    let indices: BTreeSet<usize> = numbered.iter().map(|(_, point)| point.group).collect();
+    let mut layers: Vec<Layer> = indices
         .into_iter()
-        .map(|place| {
+        .map(|index| {
             let marker = if crowded {
                 Marker::Speck
             } else {
-                Marker::of_group(place)
+                Marker::of_group(index)
             };
-            let is_of = |point: &RunPoint| point.group == place && !point.outlier;
-            let name = groups.get(place).filter(|_| named);
-            let layer = layer(Meaning::Group(place), marker, &is_of);
+            let is_of = |point: &RunPoint| point.group == index && !point.outlier;
+            let name = groups.get(index).filter(|_| named);
+            let layer = layer(Meaning::Group(index), marker, &is_of);
             layer.named(name.cloned().unwrap_or_default())
         })
         .collect();

@@ -50,12 +50,12 @@ pub fn runs(runs: &[Run<'_>], translator: &Translator) -> [Chart; 2] {
     for layer in layers.take(last) {
         *layer = layer.clone().with_width(1.5).with_dashes(Dashes::Dashed);
     }
-    let times = runs.iter().enumerate().map(|(place, run)| {
+    let times = runs.iter().enumerate().map(|(index, run)| {
         let flights = (1..).zip(run.history.bounces());
         let points = flights
             .map(|(number, bounce)| [f64::from(number), bounce.flight.time_s()])
             .filter(|[_, time_s]| *time_s > 0.0);
-        let marker = if place == last {
+        let marker = if index == last {
             Marker::Dot
         } else {
             Marker::Ring

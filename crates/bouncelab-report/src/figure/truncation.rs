@@ -3,7 +3,7 @@
 use bouncelab::Estimate;
 use bouncelab::analysis::Truncation;
 
-use super::Subject;
+use super::FigureInput;
 use crate::chart::{Axis, Chart, Dashes, Layer, Marker, Panel, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::theme::Meaning;
@@ -13,18 +13,18 @@ type Height = fn(&Truncation) -> Option<Estimate>;
 
 /// The drop height by the log-linear fit and by the inference against the number of flights used, and
 /// the stated height if there is one.
-pub(super) fn truncation(subject: &Subject<'_>, translator: &Translator) -> Chart {
+pub(super) fn truncation(input: &FigureInput<'_>, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-truncation-{id}"));
-    let found = subject.drop.truncations(subject.settings);
+    let truncations = input.drop.truncations(input.settings);
     let mut layers = Vec::new();
     let answers: [(Meaning, &str, Height); 2] = [
-        (Meaning::Plain, "line", |found| found.log_linear_fit_m),
-        (Meaning::Measured, "inference", |found| found.posterior_m),
+        (Meaning::Plain, "line", |it| it.log_linear_fit_m),
+        (Meaning::Measured, "inference", |it| it.posterior_m),
     ];
     for (meaning, name, height_m) in answers {
-        let heights = found.iter();
+        let heights = truncations.iter();
         let heights: Vec<(f64, Estimate)> = heights
-            .filter_map(|found| Some((found.flights as f64, height_m(found)?)))
+            .filter_map(|it| Some((it.flights as f64, height_m(it)?)))
             .collect();
         let points: Vec<_> = heights.iter().map(|(n, h)| [*n, 100.0 * h.value]).collect();
         let errors = heights
@@ -38,7 +38,7 @@ pub(super) fn truncation(subject: &Subject<'_>, translator: &Translator) -> Char
     if xs(&layers).next().is_none() || ys(&layers).next().is_none() {
         return Chart::empty(translator, "truncation");
     }
-    if let Some(stated) = &subject.settings.priors.drop_height_m {
+    if let Some(stated) = &input.settings.priors.drop_height_m {
         let level = Layer::level(Meaning::Ink, 100.0 * stated.value).with_width(1.5);
         layers.push(level.with_dashes(Dashes::Dashed).named(text("stated")));
     }

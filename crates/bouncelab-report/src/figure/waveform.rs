@@ -27,8 +27,8 @@ impl Mark {
     /// The impacts of drops.
     pub fn of_drops(drops: &[Drop]) -> Vec<Self> {
         let numbered = drops.iter().zip(1..);
-        let marks = numbered.flat_map(|(found, drop)| {
-            found.impacts.iter().map(move |impact| Self {
+        let marks = numbered.flat_map(|(result, drop)| {
+            result.impacts.iter().map(move |impact| Self {
                 time_s: impact.time_s,
                 sure: impact.probability >= CONFIDENT_PROBABILITY,
                 drop,
@@ -107,7 +107,7 @@ fn outline(sound: &Envelope, peak: f64, seconds: f64) -> Vec<[f64; 3]> {
     outline
 }
 
-/// The least or greatest number; not a number if there is none.
+/// The least or greatest number; NaN without numbers.
 fn extreme(values: &[f32], pick: fn(f64, f64) -> f64) -> f64 {
     let finite = values.iter().filter(|value| value.is_finite());
     finite
@@ -145,14 +145,14 @@ fn mark_layers(marks: &[Mark], seconds: f64, translator: &Translator) -> Vec<Lay
             (false, Meaning::Warning, "uncertain"),
         ] {
             let shown = of_drop().filter(|(_, mark)| mark.sure == sure);
-            let (numbers, places): (Vec<u32>, Vec<f64>) = shown
+            let (numbers, positions): (Vec<u32>, Vec<f64>) = shown
                 .map(|(number, mark)| (number, mark.time_s / seconds))
                 .unzip();
-            if places.is_empty() {
+            if positions.is_empty() {
                 continue;
             }
             let shape = Shape::Marks {
-                places,
+                positions,
                 numbers,
                 group: group.clone(),
                 filled: sure,

@@ -1,4 +1,4 @@
-//! The figures of what drops say together.
+//! The figures of a study of many drops.
 
 use bouncelab::Estimate;
 use bouncelab::groups::{Group, MeanAtSpeed, Study, run_limit};
@@ -72,7 +72,7 @@ fn intervals(groups: &GroupStudy, study: &Study, translator: &Translator) -> Cha
 fn run(groups: &GroupStudy, study: &Study, translator: &Translator) -> Chart {
     let mut points: Vec<(usize, RunPoint)> = Vec::new();
     let value = |drop: usize| groups.at(drop, study.at_speed_m_s);
-    for (place, group) in study.groups.iter().enumerate() {
+    for (index, group) in study.groups.iter().enumerate() {
         // A mean would follow an outlier.
         let middle = median(
             group
@@ -81,11 +81,13 @@ fn run(groups: &GroupStudy, study: &Study, translator: &Translator) -> Chart {
                 .filter_map(|&drop| Some(value(drop)?.value)),
         );
         for &drop in &group.drops {
-            let Some(found) = value(drop) else { continue };
+            let Some(estimate) = value(drop) else {
+                continue;
+            };
             let point = RunPoint {
-                off: found.value - middle,
-                standard_error: Some(found.sd),
-                group: place,
+                off: estimate.value - middle,
+                standard_error: Some(estimate.sd),
+                group: index,
                 outlier: is_outlier(study, drop),
             };
             points.push((drop, point));

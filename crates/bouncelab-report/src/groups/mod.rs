@@ -1,6 +1,6 @@
-//! What many drops say together: the study of groups as tables, figures and a page.
+//! Many drops together: the study of groups as tables, figures and a page.
 //!
-//! Whoever has drops hands over what each adds to a study and what was noted of it ([`NotedDrop`]); the program
+//! The caller passes what each drop adds to a study and what was noted of it ([`NotedDrop`]); the program
 //! takes them from recordings, the page from the table of drops.
 //!
 //! ```
@@ -21,10 +21,10 @@
 //!     curve: RestitutionCurve(vec![CurvePoint { speed_m_s: 1.0, value, own_sd: 0.002, shared_sd: 0.001 }]),
 //!     scatter: None,
 //! });
-//! let words = Translator::english();
-//! let groups = GroupStudy::of(About::default(), drops.into(), &Question::default(), &words)?;
+//! let translator = Translator::english();
+//! let groups = GroupStudy::of(About::default(), drops.into(), &Question::default(), &translator)?;
 //! let study = groups.study.as_ref().unwrap();
-//! let table = tables::group_table(&groups, study, None, &words).to_string();
+//! let table = tables::group_table(&groups, study, None, &translator).to_string();
 //! let golf = table.lines().find(|line| line.starts_with("golf")).unwrap();
 //! assert!(golf.contains("0.83"), "{table}");
 //! # Ok::<(), bouncelab_report::groups::UnknownField>(())

@@ -1,4 +1,4 @@
-//! What drops say together, as a page.
+//! The study of many drops as a page.
 
 use bouncelab::groups::Study;
 
@@ -8,45 +8,50 @@ use crate::chart::Chart;
 use crate::messages::{Translator, Value};
 use crate::report::{Block, Language, Page, Provenance, Section, ended, made_by};
 
-/// The page of many drops: the groups in words, tables and figures, what is wrong with which recordings, what was
+/// The page of many drops: the groups in sentences, tables and figures, problems of recordings, what was
 /// assumed, the method, and how to repeat it. The charts are its [`figures`](super::figures()).
 pub fn page(
     groups: &GroupStudy,
     charts: &[(&'static str, Chart)],
     provenance: &Provenance,
     to_repeat: Section,
-    words: &Translator,
+    translator: &Translator,
 ) -> Page {
     let about = &groups.about;
     let mut sections = match &groups.study {
-        Ok(study) => of_study(groups, study, charts, words),
+        Ok(study) => of_study(groups, study, charts, translator),
         Err(_) => Vec::new(),
     };
     sections.extend([
-        troubles(about, words),
-        assumed(about, words),
-        method(words),
+        troubles(about, translator),
+        assumed(about, translator),
+        method(translator),
         to_repeat,
     ]);
     sections.retain(|section| !section.is_empty());
-    let untitled = || words.text("session-untitled");
+    let untitled = || translator.text("session-untitled");
     Page {
         title: about.title.clone().unwrap_or_else(untitled),
-        subtitle: made_by(provenance, words),
-        lead: lead(groups, words),
+        subtitle: made_by(provenance, translator),
+        lead: lead(groups, translator),
         sections,
         details: Vec::new(),
         unfolded: false,
-        language: Language::new(words),
+        language: Language::new(translator),
     }
 }
 
-fn lead(groups: &GroupStudy, words: &Translator) -> Vec<Block> {
-    let mut lead = vec![Block::Lead(ended(tables::counts(&groups.about, words)))];
+fn lead(groups: &GroupStudy, translator: &Translator) -> Vec<Block> {
+    let mut lead = vec![Block::Lead(ended(tables::counts(
+        &groups.about,
+        translator,
+    )))];
     match &groups.study {
         Ok(study) => {
             let speed = [("speed", Value::fixed(study.at_speed_m_s, 2))];
-            lead.push(Block::text(words.text_with("session-compared", &speed)));
+            lead.push(Block::text(
+                translator.text_with("session-compared", &speed),
+            ));
             if !study.outliers.is_empty() {
                 let names: Vec<&str> = study
                     .outliers
@@ -54,21 +59,21 @@ fn lead(groups: &GroupStudy, words: &Translator) -> Vec<Block> {
                     .map(|outlier| groups.name_of(outlier.drop))
                     .collect();
                 let names = [("names", names.join(", ").into())];
-                lead.push(Block::Note(words.text_with("session-unlike", &names)));
+                lead.push(Block::Note(translator.text_with("session-unlike", &names)));
             }
-            lead.extend(untold(study).map(|id| Block::Note(words.text(id))));
+            lead.extend(untold(study).map(|id| Block::Note(translator.text(id))));
         }
         Err(reason) => {
             let reason = [("reason", ended(reason).into())];
             lead.push(Block::Note(
-                words.text_with("session-incomparable", &reason),
+                translator.text_with("session-incomparable", &reason),
             ));
         }
     }
     lead
 }
 
-/// What so few drops, or drops of one group only, cannot tell.
+/// What few drops, or drops of a single group, leave undetermined.
 fn untold(study: &Study) -> Option<&'static str> {
     match (study.all.drops.len(), study.groups.len()) {
         (1, _) => Some("session-one-drop"),
@@ -81,7 +86,7 @@ fn of_study(
     groups: &GroupStudy,
     study: &Study,
     charts: &[(&'static str, Chart)],
-    words: &Translator,
+    translator: &Translator,
 ) -> Vec<Section> {
     let mut charts = charts.iter();
     let mut figure = || {
@@ -95,22 +100,25 @@ fn of_study(
     };
     let mut of_groups = vec![
         Block::table(
-            words.text("session-groups-table"),
-            tables::group_table(groups, study, None, words),
+            translator.text("session-groups-table"),
+            tables::group_table(groups, study, None, translator),
         ),
         Block::table(
-            words.text("session-intervals-table"),
-            tables::interval_table(groups, study, words),
+            translator.text("session-intervals-table"),
+            tables::interval_table(groups, study, translator),
         ),
     ];
-    let without = tables::without_table(groups, study, words);
+    let without = tables::without_table(groups, study, translator);
     if !without.is_empty() {
-        of_groups.push(Block::table(words.text("session-without-table"), without));
+        of_groups.push(Block::table(
+            translator.text("session-without-table"),
+            without,
+        ));
     }
     let varies = if study.varies.len() > 1 {
         vec![Block::table(
-            words.text("session-varies-table"),
-            tables::varies_table(groups, study, words),
+            translator.text("session-varies-table"),
+            tables::varies_table(groups, study, translator),
         )]
     } else {
         Vec::new()
@@ -121,28 +129,35 @@ fn of_study(
         .filter(|(_, differences)| !differences.is_empty())
         .map(|(factor, differences)| {
             let name = groups.factors[*factor].name.as_str();
-            let table = tables::difference_table(groups, *factor, differences, words);
-            let caption = words.text_with("session-differences-table", &[("factor", name.into())]);
+            let table = tables::difference_table(groups, *factor, differences, translator);
+            let caption =
+                translator.text_with("session-differences-table", &[("factor", name.into())]);
             Block::table(caption, table)
         });
-    let trends = tables::trend_table(groups, study, words);
+    let trends = tables::trend_table(groups, study, translator);
     let trends = (!trends.is_empty()).then(|| {
-        let caption = words.text("session-trends-table");
+        let caption = translator.text("session-trends-table");
         Block::table(caption, trends)
     });
     vec![
-        Section::new(words.text("session-groups"), with(of_groups, intervals)),
-        Section::new(words.text("session-against-speed"), with(Vec::new(), laws)),
-        Section::new(words.text("session-what-varies"), varies),
         Section::new(
-            words.text("session-differences-heading"),
+            translator.text("session-groups"),
+            with(of_groups, intervals),
+        ),
+        Section::new(
+            translator.text("session-against-speed"),
+            with(Vec::new(), laws),
+        ),
+        Section::new(translator.text("session-what-varies"), varies),
+        Section::new(
+            translator.text("session-differences-heading"),
             differences.chain(trends).collect(),
         ),
-        Section::new(words.text("session-in-order"), with(Vec::new(), run)),
+        Section::new(translator.text("session-in-order"), with(Vec::new(), run)),
     ]
 }
 
-fn troubles(about: &About, words: &Translator) -> Section {
+fn troubles(about: &About, translator: &Translator) -> Section {
     let parts = [
         ("session-without-drop", &about.without_drop),
         ("session-failed", &about.failed),
@@ -155,15 +170,15 @@ fn troubles(about: &About, words: &Translator) -> Section {
         .filter(|(_, reasons)| !reasons.is_empty())
         .flat_map(|(id, reasons)| {
             [
-                Block::text(words.with_colon(&words.text(id))),
-                Block::List(by_reason(reasons, words)),
+                Block::text(translator.with_colon(&translator.text(id))),
+                Block::List(by_reason(reasons, translator)),
             ]
         });
-    Section::new(words.text("session-troubles"), blocks.collect())
+    Section::new(translator.text("session-troubles"), blocks.collect())
 }
 
 /// One line for each reason, with the first of those that it is true of.
-fn by_reason(reasons: &[Reason], words: &Translator) -> Vec<String> {
+fn by_reason(reasons: &[Reason], translator: &Translator) -> Vec<String> {
     let mut lines: Vec<(&str, Vec<String>)> = Vec::new();
     for Reason { name, reason } in reasons {
         match lines.iter_mut().find(|(known, _)| known == reason) {
@@ -172,41 +187,44 @@ fn by_reason(reasons: &[Reason], words: &Translator) -> Vec<String> {
         }
     }
     let line = |(reason, names): (&str, Vec<String>)| {
-        format!("{} {reason}", words.with_colon(&some_of(&names, words)))
+        format!(
+            "{} {reason}",
+            translator.with_colon(&some_of(&names, translator))
+        )
     };
     lines.into_iter().map(line).collect()
 }
 
-fn assumed(about: &About, words: &Translator) -> Section {
+fn assumed(about: &About, translator: &Translator) -> Section {
     let mut blocks: Vec<Block> = about
         .remarks
         .iter()
         .map(|remark| Block::Note(ended(remark)))
         .collect();
     if !about.assumptions.is_empty() {
-        blocks.push(Block::text(words.text("session-assumed")));
+        blocks.push(Block::text(translator.text("session-assumed")));
         blocks.push(Block::List(about.assumptions.clone()));
     }
-    Section::new(words.text("session-conditions"), blocks)
+    Section::new(translator.text("session-conditions"), blocks)
 }
 
-fn method(words: &Translator) -> Section {
+fn method(translator: &Translator) -> Section {
     let ids = [
         "session-method-drop",
         "session-method-group",
         "session-method-factors",
     ];
     Section::new(
-        words.text("session-method"),
-        ids.map(|id| Block::text(words.text(id))).into(),
+        translator.text("session-method"),
+        ids.map(|id| Block::text(translator.text(id))).into(),
     )
 }
 
 /// The first few of many names.
-pub fn some_of(names: &[String], words: &Translator) -> String {
+pub fn some_of(names: &[String], translator: &Translator) -> String {
     const SHOWN: usize = 4;
     match names.len() {
-        count if count > SHOWN + 1 => words.text_with(
+        count if count > SHOWN + 1 => translator.text_with(
             "list-more",
             &[
                 ("first", names[..SHOWN].join(", ").into()),

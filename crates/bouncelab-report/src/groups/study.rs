@@ -1,4 +1,4 @@
-//! Drops with what was noted of each, and what they say together.
+//! Drops with what was noted of each, and their study.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -55,7 +55,7 @@ pub struct UnknownField {
     pub known: Vec<String>,
 }
 
-/// What is known of drops besides what they say together.
+/// What belongs to drops besides their study.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct About {
     /// What they are called together.
@@ -72,11 +72,11 @@ pub struct About {
     pub duplicates: Vec<Reason>,
     /// Drops that are not in the study, with the reason.
     pub left_out: Vec<Reason>,
-    /// Drops of which there is something to know, with what it is.
+    /// Drops with a remark, and the remark.
     pub odd: Vec<Reason>,
     /// What to know of all of them as a whole.
     pub remarks: Vec<String>,
-    /// What nobody noted, and so was assumed.
+    /// What was not noted, and therefore assumed.
     pub assumptions: Vec<String>,
     /// Why there is no study.
     pub no_study: Option<String>,
@@ -87,20 +87,20 @@ pub struct About {
 pub struct Reason {
     /// What it is called.
     pub name: String,
-    /// What there is to say.
+    /// The text.
     pub reason: String,
 }
 
-/// Drops, and what they say together.
+/// Drops and their study.
 #[derive(Debug)]
 pub struct GroupStudy {
-    /// What is known of them besides the study.
+    /// What belongs to them besides the study.
     pub about: About,
     /// What they can be compared by.
     pub factors: Vec<Factor>,
-    /// The factors that make groups, by their place.
+    /// The factors that make groups, by index.
     pub by: Vec<usize>,
-    /// What they say together, or why they say nothing.
+    /// The study, or why there is none.
     pub study: Result<Study, String>,
     names: Vec<Arc<str>>,
     curves: Vec<StudyDrop>,
@@ -115,7 +115,7 @@ impl GroupStudy {
         about: About,
         drops: Vec<NotedDrop<'_>>,
         question: &Question,
-        words: &Translator,
+        translator: &Translator,
     ) -> Result<Self, UnknownField> {
         let factors = factors(&drops);
         let by = by(&factors, &question.by)?;
@@ -138,9 +138,9 @@ impl GroupStudy {
             question.wanted,
         );
         let study = study.map_err(|refusal| match question.at_speed_m_s {
-            _ if curves.is_empty() => words.text("session-no-inference"),
-            Some(speed) => words.text_with("session-no-speed", &[("speed", speed.into())]),
-            None => words.diagnostic(&refusal.diagnostic()),
+            _ if curves.is_empty() => translator.text("session-no-inference"),
+            Some(speed) => translator.text_with("session-no-speed", &[("speed", speed.into())]),
+            None => translator.diagnostic(&refusal.diagnostic()),
         });
         let mut groups = Self {
             about,
@@ -151,18 +151,18 @@ impl GroupStudy {
             curves,
         };
         groups.about.no_study = groups.study.as_ref().err().cloned();
-        let unknown = groups.unknown_there(words);
+        let unknown = groups.unknown_there(translator);
         groups.about.left_out.extend(unknown);
         Ok(groups)
     }
 
     /// The drops that are not compared because they do not know the speed at which the others are.
-    fn unknown_there(&self, words: &Translator) -> Vec<Reason> {
+    fn unknown_there(&self, translator: &Translator) -> Vec<Reason> {
         let Ok(study) = &self.study else {
             return Vec::new();
         };
         let speed = [("speed", Value::fixed(study.at_speed_m_s, 2))];
-        let reason = words.text_with("session-unknown-there", &speed);
+        let reason = translator.text_with("session-unknown-there", &speed);
         let left_out = study.left_out.iter();
         left_out
             .map(|&drop| Reason {
@@ -172,7 +172,7 @@ impl GroupStudy {
             .collect()
     }
 
-    /// Restitution of a drop, by its place, at a speed, with the uncertainty that is its own.
+    /// Restitution of a drop, by its index, at a speed, with the uncertainty that is its own.
     pub fn at(&self, drop: usize, speed_m_s: f64) -> Option<Measured> {
         let point = self.curves[drop].curve.at(speed_m_s)?;
         Some(Measured {
@@ -181,19 +181,19 @@ impl GroupStudy {
         })
     }
 
-    /// The name of a drop, by its place.
+    /// The name of a drop, by its index.
     pub fn name_of(&self, drop: usize) -> &str {
         &self.names[drop]
     }
 
     /// What a group is called: its levels.
-    pub fn group_name(&self, levels: &[Option<usize>], words: &Translator) -> String {
+    pub fn group_name(&self, levels: &[Option<usize>], translator: &Translator) -> String {
         let levels = std::iter::zip(&self.by, levels);
         let names: Vec<&str> = levels
             .map(|(&factor, level)| level.map_or("?", |level| &self.factors[factor].levels[level]))
             .collect();
         if names.is_empty() {
-            words.text("session-all-drops")
+            translator.text("session-all-drops")
         } else {
             names.join(", ")
         }
@@ -218,8 +218,8 @@ fn factors(drops: &[NotedDrop<'_>]) -> Vec<Factor> {
         })
         .collect();
     let rank = |factor: &Factor| {
-        let place = FIRST.iter().position(|first| *first == factor.name);
-        place.unwrap_or(FIRST.len())
+        let index = FIRST.iter().position(|first| *first == factor.name);
+        index.unwrap_or(FIRST.len())
     };
     factors.sort_by(|a, b| rank(a).cmp(&rank(b)).then_with(|| a.name.cmp(&b.name)));
     factors
@@ -268,14 +268,14 @@ fn by(factors: &[Factor], wanted: &[String]) -> Result<Vec<usize>, UnknownField>
     let makes_groups =
         |factor: &Factor| factor.levels.len() > 1 && !NOT_GROUPED.contains(&factor.name.as_str());
     if wanted.is_empty() {
-        let places = 0..factors.len();
-        return Ok(places
-            .filter(|&place| makes_groups(&factors[place]))
+        let indices = 0..factors.len();
+        return Ok(indices
+            .filter(|&index| makes_groups(&factors[index]))
             .collect());
     }
     let place_of = |name: &String| {
-        let place = factors.iter().position(|factor| factor.name == *name);
-        place.ok_or_else(|| UnknownField {
+        let index = factors.iter().position(|factor| factor.name == *name);
+        index.ok_or_else(|| UnknownField {
             name: name.clone(),
             known: factors.iter().map(|factor| factor.name.clone()).collect(),
         })

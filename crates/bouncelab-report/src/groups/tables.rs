@@ -1,4 +1,4 @@
-//! What drops say together, as tables.
+//! The study of many drops as tables.
 
 use bouncelab::groups::{Difference, Group, Mean, MeanAtSpeed, Study};
 
@@ -8,7 +8,7 @@ use crate::quantity::{Quantity, Unit};
 use crate::table::{Align, Table};
 
 /// How many there are of what, in a sentence without its full stop.
-pub fn counts(about: &About, words: &Translator) -> String {
+pub fn counts(about: &About, translator: &Translator) -> String {
     let counts = [
         ("drops", about.drops.into()),
         ("recordings", about.recordings.into()),
@@ -16,7 +16,7 @@ pub fn counts(about: &About, words: &Translator) -> String {
         ("failed", about.failed.len().into()),
         ("duplicates", about.duplicates.len().into()),
     ];
-    words.text_with("session-counts", &counts)
+    translator.text_with("session-counts", &counts)
 }
 
 /// Differences of the levels of a factor.
@@ -24,11 +24,11 @@ pub fn difference_table(
     groups: &GroupStudy,
     factor: usize,
     differences: &[Difference],
-    words: &Translator,
+    translator: &Translator,
 ) -> Table {
     let factor = &groups.factors[factor];
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("", Align::Left),
             ("session-column-difference", Align::Right),
@@ -43,9 +43,9 @@ pub fn difference_table(
                 "{} \u{2212} {}",
                 factor.levels[difference.of], factor.levels[difference.less]
             ),
-            shown.text(words),
-            shown.interval_text(difference.interval95, words),
-            probability(difference.p_value, words),
+            shown.text(translator),
+            shown.interval_text(difference.interval95, translator),
+            probability(difference.p_value, translator),
         ]);
     }
     table
@@ -56,10 +56,10 @@ pub fn group_table(
     groups: &GroupStudy,
     study: &Study,
     wanted: Option<f64>,
-    words: &Translator,
+    translator: &Translator,
 ) -> Table {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("session-column-group", Align::Left),
             ("session-column-drops", Align::Right),
@@ -70,31 +70,31 @@ pub fn group_table(
             ("session-column-needed", Align::Right),
         ],
     );
-    for (name, group) in named_groups(groups, study, words) {
+    for (name, group) in named_groups(groups, study, translator) {
         let mean = &group.mean;
         table.row([
             name,
             mean.drops.to_string(),
-            shown(group).text(words),
+            shown(group).text(translator),
             format!(
                 "\u{b1} {}",
-                Quantity::rounded(group.shared_sd, 1, Unit::Number).text(words)
+                Quantity::rounded(group.shared_sd, 1, Unit::Number).text(translator)
             ),
             mean.between
-                .map_or_else(String::new, |between| words.fixed(between, 4)),
+                .map_or_else(String::new, |between| translator.fixed(between, 4)),
             group.between_impacts.map_or_else(String::new, |scatter| {
-                format!("{} %", words.fixed(100.0 * scatter, 2))
+                format!("{} %", translator.fixed(100.0 * scatter, 2))
             }),
-            needed(group, wanted, words),
+            needed(group, wanted, translator),
         ]);
     }
     table
 }
 
 /// The groups with outliers, with and without them.
-pub fn without_table(groups: &GroupStudy, study: &Study, words: &Translator) -> Table {
+pub fn without_table(groups: &GroupStudy, study: &Study, translator: &Translator) -> Table {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("session-column-group", Align::Left),
             ("session-column-with", Align::Right),
@@ -103,13 +103,13 @@ pub fn without_table(groups: &GroupStudy, study: &Study, words: &Translator) -> 
             ("session-column-drops", Align::Right),
         ],
     );
-    for (name, group) in named_groups(groups, study, words) {
+    for (name, group) in named_groups(groups, study, translator) {
         if let Some(without) = &group.without_outliers {
             table.row([
                 name,
-                restitution(&group.mean).text(words),
+                restitution(&group.mean).text(translator),
                 group.mean.drops.to_string(),
-                restitution(without).text(words),
+                restitution(without).text(translator),
                 without.drops.to_string(),
             ]);
         }
@@ -118,9 +118,9 @@ pub fn without_table(groups: &GroupStudy, study: &Study, words: &Translator) -> 
 }
 
 /// Slopes against what is noted in numbers.
-pub fn trend_table(groups: &GroupStudy, study: &Study, words: &Translator) -> Table {
+pub fn trend_table(groups: &GroupStudy, study: &Study, translator: &Translator) -> Table {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("session-column-factor", Align::Left),
             ("session-column-levels", Align::Right),
@@ -133,27 +133,27 @@ pub fn trend_table(groups: &GroupStudy, study: &Study, words: &Translator) -> Ta
     for trend in &study.trends {
         let name = groups.factors[trend.factor].name.as_str();
         let unit = match name {
-            "height" => words.text("session-per-metre"),
-            "temperature" => words.text("session-per-kelvin"),
+            "height" => translator.text("session-per-metre"),
+            "temperature" => translator.text("session-per-kelvin"),
             _ => String::new(),
         };
         let shown = Quantity::measured(trend.slope.value, trend.slope.sd, Unit::Number);
         table.row([
             name.to_owned(),
             trend.levels.to_string(),
-            shown.text(words),
+            shown.text(translator),
             unit,
-            shown.interval_text(trend.interval95, words),
-            probability(trend.p_value, words),
+            shown.interval_text(trend.interval95, translator),
+            probability(trend.p_value, translator),
         ]);
     }
     table
 }
 
 /// Restitution of each group at several speeds.
-pub fn law_table(groups: &GroupStudy, study: &Study, words: &Translator) -> Table {
+pub fn law_table(groups: &GroupStudy, study: &Study, translator: &Translator) -> Table {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("session-column-group", Align::Left),
             ("column-speed", Align::Right),
@@ -165,12 +165,12 @@ pub fn law_table(groups: &GroupStudy, study: &Study, words: &Translator) -> Tabl
     for group in &study.groups {
         for MeanAtSpeed { speed_m_s, mean } in &group.curve {
             let shown = restitution(mean);
-            let interval = |ends| shown.interval_text(ends, words);
+            let interval = |ends| shown.interval_text(ends, translator);
             table.row([
-                groups.group_name(&group.levels, words),
-                words.fixed(*speed_m_s, 3),
+                groups.group_name(&group.levels, translator),
+                translator.fixed(*speed_m_s, 3),
                 mean.drops.to_string(),
-                shown.text(words),
+                shown.text(translator),
                 mean.interval95.map_or_else(String::new, interval),
             ]);
         }
@@ -179,9 +179,9 @@ pub fn law_table(groups: &GroupStudy, study: &Study, words: &Translator) -> Tabl
 }
 
 /// 95 % intervals of the groups.
-pub fn interval_table(groups: &GroupStudy, study: &Study, words: &Translator) -> Table {
+pub fn interval_table(groups: &GroupStudy, study: &Study, translator: &Translator) -> Table {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("session-column-group", Align::Left),
             ("session-column-mean", Align::Right),
@@ -189,9 +189,11 @@ pub fn interval_table(groups: &GroupStudy, study: &Study, words: &Translator) ->
             ("session-column-between-drops", Align::Right),
         ],
     );
-    for (name, group) in named_groups(groups, study, words) {
+    for (name, group) in named_groups(groups, study, translator) {
         let interval = |ends: Option<[f64; 2]>| {
-            ends.map_or_else(String::new, |ends| shown(group).interval_text(ends, words))
+            ends.map_or_else(String::new, |ends| {
+                shown(group).interval_text(ends, translator)
+            })
         };
         let mean = &group.mean;
         table.row([
@@ -199,7 +201,7 @@ pub fn interval_table(groups: &GroupStudy, study: &Study, words: &Translator) ->
             interval(mean.interval95),
             interval(mean.next95),
             mean.between95
-                .map_or_else(String::new, |interval| ends(interval, words)),
+                .map_or_else(String::new, |interval| ends(interval, translator)),
         ]);
     }
     table
@@ -209,12 +211,12 @@ pub fn interval_table(groups: &GroupStudy, study: &Study, words: &Translator) ->
 fn named_groups<'a>(
     groups: &GroupStudy,
     study: &'a Study,
-    words: &Translator,
+    translator: &Translator,
 ) -> Vec<(String, &'a Group)> {
-    let named = |group: &'a Group| (groups.group_name(&group.levels, words), group);
+    let named = |group: &'a Group| (groups.group_name(&group.levels, translator), group);
     let mut all: Vec<_> = study.groups.iter().map(named).collect();
     if all.len() > 1 {
-        all.push((words.text("session-all"), &study.all));
+        all.push((translator.text("session-all"), &study.all));
     }
     all
 }
@@ -227,18 +229,18 @@ fn restitution(mean: &Mean) -> Quantity {
     Quantity::measured(mean.value, mean.standard_error, Unit::Number)
 }
 
-fn needed(group: &Group, wanted: Option<f64>, words: &Translator) -> String {
+fn needed(group: &Group, wanted: Option<f64>, translator: &Translator) -> String {
     match (group.drops_needed, wanted) {
         (Some(needed), _) => needed.to_string(),
-        (None, Some(_)) if group.mean.between.is_some() => words.text("session-too-many"),
+        (None, Some(_)) if group.mean.between.is_some() => translator.text("session-too-many"),
         (None, _) => String::new(),
     }
 }
 
 /// Who varies.
-pub fn varies_table(groups: &GroupStudy, study: &Study, words: &Translator) -> Table {
+pub fn varies_table(groups: &GroupStudy, study: &Study, translator: &Translator) -> Table {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("", Align::Left),
             ("session-column-count", Align::Right),
@@ -253,40 +255,40 @@ pub fn varies_table(groups: &GroupStudy, study: &Study, words: &Translator) -> T
             .map(|&factor| groups.factors[factor].name.as_str())
             .collect();
         let name = match names.as_slice() {
-            [] => words.text("session-drop"),
+            [] => translator.text("session-drop"),
             [name] => (*name).to_owned(),
             [first @ .., last] => {
                 let (first, last) = (first.join(", "), *last);
                 let names = [("first", first.into()), ("last", last.into())];
-                let names = [("names", words.text_with("list-and", &names).into())];
-                words.text_with("session-together", &names)
+                let names = [("names", translator.text_with("list-and", &names).into())];
+                translator.text_with("session-together", &names)
             }
         };
         table.row([
             name,
             varies.levels.to_string(),
-            words.fixed(varies.component.sd, 4),
+            translator.fixed(varies.component.sd, 4),
             match varies.component.sd95 {
-                Some(interval) => ends(interval, words),
-                None => words.text("session-too-few"),
+                Some(interval) => ends(interval, translator),
+                None => translator.text("session-too-few"),
             },
         ]);
     }
     table
 }
 
-fn probability(p: f64, words: &Translator) -> String {
+fn probability(p: f64, translator: &Translator) -> String {
     if p < 1e-4 {
-        format!("< {}", words.fixed(1e-4, 4))
+        format!("< {}", translator.fixed(1e-4, 4))
     } else {
-        words.fixed(p, 4)
+        translator.fixed(p, 4)
     }
 }
 
-fn ends([low, high]: [f64; 2], words: &Translator) -> String {
+fn ends([low, high]: [f64; 2], translator: &Translator) -> String {
     let ends = [
         ("low", Value::fixed(low, 4)),
         ("high", Value::fixed(high, 4)),
     ];
-    words.text_with("interval-ends", &ends)
+    translator.text_with("interval-ends", &ends)
 }

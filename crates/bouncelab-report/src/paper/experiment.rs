@@ -93,7 +93,7 @@ pub(super) fn regressed_by(
     regression::fit(&flights(&history), GRAVITY_M_S2)
 }
 
-/// The constant restitution that, with drag, regresses to the paper's e over so many flights.
+/// The constant restitution that, with drag, regresses to the paper's e over this number of flights.
 pub(super) fn behind_the_regression(count: usize) -> Result<f64> {
     // The regressed value grows with the true one.
     let [low, high] = bisected([REGRESSED, 1.0], 1e-12, |restitution| {

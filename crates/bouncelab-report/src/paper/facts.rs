@@ -26,7 +26,7 @@ pub struct Fact {
     code: &'static str,
     /// Of which flight or restitution, where there are several of its kind.
     of: Option<f64>,
-    /// As the paper prints it; `None` if it does not say.
+    /// As the paper prints it; `None` if it does not state it.
     pub printed: Option<&'static str>,
     /// As computed here.
     pub computed: f64,
@@ -50,7 +50,7 @@ enum Kind {
     Misprint,
 }
 
-/// What the comparison says.
+/// The result of the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// The computed value rounds to the printed one.
@@ -63,7 +63,7 @@ pub enum Verdict {
     Misprint,
     /// It does not.
     Differs,
-    /// The paper does not say.
+    /// The paper does not state it.
     NotInThePaper,
 }
 
@@ -80,7 +80,7 @@ impl Verdict {
         }
     }
 
-    /// In words; empty if there is nothing to compare.
+    /// As a text; empty if there is nothing to compare.
     pub fn text(self, translator: &Translator) -> String {
         self.code().map_or_else(String::new, |code| {
             translator.text(&format!("paper-verdict-{code}"))
@@ -141,7 +141,7 @@ impl Fact {
         }
     }
 
-    /// What it is, in words.
+    /// What it is, as a text.
     pub fn quantity(&self, translator: &Translator) -> String {
         let of = self.of.map(|of| ("of", of.into()));
         translator.text_with(&format!("paper-{}", self.code), of.as_slice())

@@ -24,10 +24,10 @@ use crate::theme::Meaning;
 const POINTS: usize = 2000;
 /// The restitution of a slider is that at this speed.
 const AT_SPEED_M_S: f64 = 1.0;
-/// Lines of fewer flights say nothing.
-const FEWEST: usize = 3;
+/// The minimum number of flights of a line.
+const MIN_FLIGHTS: usize = 3;
 /// The longest line that is tried.
-const MOST: usize = 40;
+const MAX_FLIGHTS: usize = 40;
 
 /// The figures of the lesson: flight times without air on a straight line, drag over weight, and the
 /// height with and without air.
@@ -89,9 +89,9 @@ pub struct PuzzleChoice {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct PuzzleAnswer {
-    /// The restitution that it says.
+    /// Its restitution.
     pub restitution: f64,
-    /// The drop height that it says, m.
+    /// Its drop height, m.
     pub drop_height_m: f64,
     /// Whether both are those of the paper, to its digits.
     pub reproduces: bool,
@@ -114,19 +114,19 @@ impl PuzzleChoice {
     }
 
     fn times(&self, model: &FlightModel) -> Result<Vec<NumberedFlight>> {
-        let history = dropped_by(model, self.law()?, Stop::after(MOST))?;
+        let history = dropped_by(model, self.law()?, Stop::after(MAX_FLIGHTS))?;
         Ok(experiment::flights(&history))
     }
 
-    /// What the log-linear fit says of it.
+    /// The log-linear fit of it.
     ///
     /// # Errors
     ///
-    /// If the restitution makes no sense, or there are too few flights.
+    /// If the restitution is out of range, or there are too few flights.
     pub fn answer(&self, translator: &Translator) -> Result<PuzzleAnswer> {
         let drag = self.times(&model(CONSTANT)?)?;
         let vacuum = self.times(&model(DragLaw::None)?)?;
-        let flights = self.flights.clamp(FEWEST, drag.len().max(FEWEST));
+        let flights = self.flights.clamp(MIN_FLIGHTS, drag.len().max(MIN_FLIGHTS));
         let line = fitted(&drag, flights)?;
         let (restitution, height_m) = (line.restitution.value, line.drop_height_m.value);
         let is_near = |a: f64, b: f64, digit: f64| (a - b).abs() < digit;
@@ -149,7 +149,7 @@ impl PuzzleChoice {
         translator: &Translator,
     ) -> Result<Chart> {
         let curve = |times: &[NumberedFlight]| -> Result<Vec<Point>> {
-            let counts = FEWEST..=times.len();
+            let counts = MIN_FLIGHTS..=times.len();
             counts
                 .map(|count| {
                     let height_m = fitted(times, count)?.drop_height_m.value;
@@ -185,11 +185,11 @@ impl PuzzleChoice {
         ))
     }
 
-    /// The restitution with which the line says what the paper's says, the rest being as chosen.
+    /// The restitution with which the line gives the paper's restitution, the rest being as chosen.
     ///
     /// # Errors
     ///
-    /// If the choice makes no sense.
+    /// If the choice is out of range.
     pub fn solved(self) -> Result<Self> {
         let model = model(CONSTANT)?;
         let [restitution, _] = bisected([0.88, 0.995], 1e-5, |restitution| {

@@ -38,7 +38,7 @@ pub struct Document {
     /// Version of the program that made it.
     bouncelab: &'static str,
     facts: Vec<Row>,
-    /// What would make the log-linear fit say what it says in the paper.
+    /// What would make the log-linear fit give its result in the paper.
     puzzle: Vec<Explanation>,
 }
 
@@ -46,17 +46,17 @@ pub struct Document {
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[cfg_attr(feature = "typescript", ts(rename = "PaperFact"))]
 struct Row {
-    /// What it is about, in words.
+    /// What it is about, as a text.
     chapter: String,
     /// What it is, as a code that no other number has.
     code: String,
-    /// What it is, in words.
+    /// What it is, as a text.
     quantity: String,
-    /// As the paper prints it, to its digits; `null` if it does not say.
+    /// As the paper prints it, to its digits; `null` if it does not state it.
     printed: Option<&'static str>,
     computed: f64,
     unit: &'static str,
-    /// What the comparison says, as a code; `null` if the paper does not say.
+    /// The result of the comparison, as a code; `null` if the paper does not state it.
     verdict: Option<&'static str>,
     /// What to know about it.
     note: Option<String>,

@@ -21,7 +21,7 @@ const STEEPEST: f64 = 0.1;
 /// A slow impact, to compare with the first.
 const SLOW_M_S: f64 = 0.5;
 
-/// An explanation whose restitution was chosen so that the log-linear fit says e = 0.9375.
+/// An explanation whose restitution was chosen so that the log-linear fit gives e = 0.9375.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Explanation {
@@ -117,7 +117,7 @@ fn pinned(family: Family, slope: f64, model: &FlightModel, flights: usize) -> Re
     family(level, slope)
 }
 
-/// What a family without a slope says.
+/// The result of a family without a slope.
 fn explain(
     name: &str,
     family: Family,

@@ -1,8 +1,8 @@
 //! The axes of a panel, and the positions of values in it.
 
 use super::canvas::{Anchor, Canvas, Pen, Style};
-use super::clip::{Place, Rect};
-use super::text::{MOST_LINES, line_height, text_width, wrapped};
+use super::clip::{Position, Rect};
+use super::text::{MAX_LINES, line_height, text_width, wrapped};
 use super::{AXIS_NAME, TEXT, above};
 use crate::chart::{Axis, Panel, Point, Ticks};
 use crate::scale::{Scale, Tick, TickMarks};
@@ -41,8 +41,8 @@ impl Frame {
         (self.rect.bottom - self.y.share(y) * self.rect.height()).clamp(-MAX_PIXELS, MAX_PIXELS)
     }
 
-    /// The place of a point, which may lie outside; not numbers where there is none.
-    pub(super) fn at(&self, [x, y]: Point) -> Place {
+    /// The position of a point, which may lie outside; NaN for a point without numbers.
+    pub(super) fn at(&self, [x, y]: Point) -> Position {
         (self.x_at(x), self.y_at(y))
     }
 }
@@ -53,7 +53,7 @@ pub(super) fn width_of_labels(panel: &Panel) -> f64 {
         return 0.0;
     }
     let names = panel.y.names.iter().flat_map(|name| parts(name));
-    let names = names.flat_map(|part| wrapped(part, theme::TICK_SIZE, NAME_WIDTH, MOST_LINES));
+    let names = names.flat_map(|part| wrapped(part, theme::TICK_SIZE, NAME_WIDTH, MAX_LINES));
     let widths = names.map(|line| text_width(&line, theme::TICK_SIZE));
     let ticks = y_ticks(&panel.y, panel.height).major;
     let numbers = ticks
@@ -73,13 +73,13 @@ pub(super) fn height_of_rows(panel: &Panel) -> f64 {
     (highest * panel.y.names.len() as f64).max(panel.height)
 }
 
-/// A name, and what is said below it.
+/// A name, and the text below it.
 fn parts(name: &str) -> impl Iterator<Item = &str> {
     name.splitn(2, '\n')
 }
 
 fn lines_of(name: &str) -> Vec<std::borrow::Cow<'_, str>> {
-    wrapped(name, theme::TICK_SIZE, NAME_WIDTH, MOST_LINES)
+    wrapped(name, theme::TICK_SIZE, NAME_WIDTH, MAX_LINES)
 }
 
 /// Draws title, axes and grid of a panel.
@@ -133,12 +133,12 @@ fn draw_y(canvas: &mut Canvas, axis: &Axis, frame: &Frame) {
     }
 }
 
-/// A name with what is said below it, around a place.
-fn draw_name(canvas: &mut Canvas, name: &str, (x, y): Place) {
+/// A name with the text below it, around a position.
+fn draw_name(canvas: &mut Canvas, name: &str, (x, y): Position) {
     let line = line_height(theme::TICK_SIZE);
     let mut parts = parts(name);
     let name = parts.next().unwrap_or_default();
-    let limits = (NAME_WIDTH, MOST_LINES);
+    let limits = (NAME_WIDTH, MAX_LINES);
     match parts.next() {
         None => canvas.text_within(limits, (x, y), name, ROW_NAME),
         Some(below) => {
@@ -209,7 +209,7 @@ fn x_ticks(scale: &Scale, width: f64) -> TickMarks {
         .unwrap_or_else(|| outermost(scale, width))
 }
 
-/// Of few wide numbers the first and the last, or one of them: an axis says where it is.
+/// Of few wide numbers the first and the last, or one of them: enough to locate the axis.
 fn outermost(scale: &Scale, width: f64) -> TickMarks {
     let mut major = scale.ticks(2).major;
     let last = major.split_off(1.min(major.len())).pop();
@@ -223,7 +223,7 @@ fn outermost(scale: &Scale, width: f64) -> TickMarks {
     }
 }
 
-/// The width of the widest number, and what stays free beside it.
+/// The width of the widest number, and the space left next to it.
 fn widest(ticks: &[Tick]) -> f64 {
     let widths = ticks
         .iter()

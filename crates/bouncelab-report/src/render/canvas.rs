@@ -3,7 +3,7 @@
 //! Points that are not numbers are skipped, and dashes run on across the points of a curve. What comes of it
 //! is drawn by `svg`, `picture` and `pdf`.
 
-use super::clip::{Dash, Place, Rect, dashes, is_finite, within};
+use super::clip::{Dash, Position, Rect, dashes, is_finite, within};
 use super::text::{line_height, printable, wrapped};
 use crate::theme::{self, Colour};
 
@@ -25,7 +25,7 @@ impl Pen {
     }
 }
 
-/// Which part of a text lies at its place.
+/// Which part of a text is at its position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Anchor {
     Start,
@@ -61,22 +61,22 @@ impl Style {
 #[derive(Debug)]
 pub(super) enum Shape {
     Line {
-        points: Vec<Place>,
+        points: Vec<Position>,
         colour: Colour,
         width: f64,
     },
     Area {
-        corners: Vec<Place>,
+        corners: Vec<Position>,
         colour: Colour,
     },
     Circle {
-        centre: Place,
+        centre: Position,
         radius: f64,
         fill: Colour,
         rim: Option<Colour>,
     },
     Text {
-        place: Place,
+        position: Position,
         words: String,
         style: Style,
     },
@@ -102,7 +102,7 @@ impl Canvas {
 
     /// A curve through the points, without the parts outside a rectangle; it is interrupted where a
     /// point is not a number.
-    pub(super) fn curve(&mut self, rect: Rect, points: &[Place], pen: Pen) {
+    pub(super) fn curve(&mut self, rect: Rect, points: &[Position], pen: Pen) {
         for run in points.split(|&point| !is_finite(point)) {
             for piece in within(rect, run) {
                 match pen.dash {
@@ -117,7 +117,7 @@ impl Canvas {
         }
     }
 
-    pub(super) fn line(&mut self, from: Place, to: Place, pen: Pen) {
+    pub(super) fn line(&mut self, from: Position, to: Position, pen: Pen) {
         let (left, right) = (from.0.min(to.0), from.0.max(to.0));
         let (top, bottom) = (from.1.min(to.1), from.1.max(to.1));
         let all = Rect {
@@ -129,7 +129,7 @@ impl Canvas {
         self.curve(all, &[from, to], pen);
     }
 
-    fn stroke(&mut self, points: Vec<Place>, pen: Pen) {
+    fn stroke(&mut self, points: Vec<Position>, pen: Pen) {
         if points.len() < 2 {
             return;
         }
@@ -141,7 +141,7 @@ impl Canvas {
     }
 
     /// A filled shape; nothing if a corner is not a number.
-    pub(super) fn area(&mut self, corners: &[Place], colour: Colour) {
+    pub(super) fn area(&mut self, corners: &[Position], colour: Colour) {
         if corners.len() < 3 || !corners.iter().copied().all(is_finite) {
             return;
         }
@@ -164,7 +164,7 @@ impl Canvas {
     }
 
     /// A circle: filled, or white inside so that lines do not run through it.
-    pub(super) fn circle(&mut self, centre: Place, radius: f64, colour: Colour, filled: bool) {
+    pub(super) fn circle(&mut self, centre: Position, radius: f64, colour: Colour, filled: bool) {
         if !is_finite(centre) {
             return;
         }
@@ -176,23 +176,23 @@ impl Canvas {
         });
     }
 
-    pub(super) fn text(&mut self, place: Place, words: &str, style: Style) {
-        if !is_finite(place) {
+    pub(super) fn text(&mut self, position: Position, words: &str, style: Style) {
+        if !is_finite(position) {
             return;
         }
         self.shapes.push(Shape::Text {
-            place,
+            position,
             words: printable(words),
             style,
         });
     }
 
-    /// A text broken into lines where it is wider than `width` figure pixels, at most so many. The place
+    /// A text broken into lines where it is wider than `width` figure pixels, at most `most`. The position
     /// is that of the middle line.
     pub(super) fn text_within(
         &mut self,
         (width, most): (f64, usize),
-        (x, y): Place,
+        (x, y): Position,
         words: &str,
         style: Style,
     ) {

@@ -1,7 +1,7 @@
 //! Clips curves to the parts that are drawn: those within a frame, and those between the gaps of a dashed line.
 
-/// A place in the drawing, in figure pixels from the upper left corner.
-pub(super) type Place = (f64, f64);
+/// A position in the drawing, in figure pixels from the upper left corner.
+pub(super) type Position = (f64, f64);
 
 /// A rectangle in the drawing, in figure pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,14 +30,14 @@ pub(super) struct Dash {
 }
 
 /// Whether both coordinates are numbers.
-pub(super) fn is_finite((x, y): Place) -> bool {
+pub(super) fn is_finite((x, y): Position) -> bool {
     x.is_finite() && y.is_finite()
 }
 
 /// The parts of a curve inside a rectangle. Cut here and not by the library, which would need
 /// names for the regions that are then not unique on a page with several figures.
-pub(super) fn within(rect: Rect, points: &[Place]) -> Vec<Vec<Place>> {
-    let mut pieces: Vec<Vec<Place>> = Vec::new();
+pub(super) fn within(rect: Rect, points: &[Position]) -> Vec<Vec<Position>> {
+    let mut pieces: Vec<Vec<Position>> = Vec::new();
     let mut open = false;
     for pair in points.windows(2) {
         let Some([from, to]) = segment_within(rect, pair[0], pair[1]) else {
@@ -54,7 +54,7 @@ pub(super) fn within(rect: Rect, points: &[Place]) -> Vec<Vec<Place>> {
 }
 
 /// The part of a segment inside a rectangle (Liang and Barsky 1984).
-fn segment_within(rect: Rect, from: Place, to: Place) -> Option<[Place; 2]> {
+fn segment_within(rect: Rect, from: Position, to: Position) -> Option<[Position; 2]> {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let (mut start, mut end) = (0.0_f64, 1.0_f64);
     for (run, distance) in [
@@ -82,9 +82,9 @@ fn segment_within(rect: Rect, from: Place, to: Place) -> Option<[Place; 2]> {
 }
 
 /// The strokes that make a dashed line along the points.
-pub(super) fn dashes(points: &[Place], dash: Dash) -> Vec<Vec<Place>> {
+pub(super) fn dashes(points: &[Position], dash: Dash) -> Vec<Vec<Position>> {
     let mut pieces = Vec::new();
-    let mut piece: Vec<Place> = points.first().copied().into_iter().collect();
+    let mut piece: Vec<Position> = points.first().copied().into_iter().collect();
     let mut drawing = true;
     let mut left = dash.stroke;
     for pair in points.windows(2) {
@@ -127,8 +127,8 @@ mod tests {
         };
         // The same 30-pixel line, as one segment and as thirty.
         let coarse = dashes(&[(0.0, 0.0), (30.0, 0.0)], dash);
-        let fine: Vec<Place> = (0..=30).map(|x| (f64::from(x), 0.0)).collect();
-        let ends = |pieces: &[Vec<Place>]| -> Vec<(f64, f64)> {
+        let fine: Vec<Position> = (0..=30).map(|x| (f64::from(x), 0.0)).collect();
+        let ends = |pieces: &[Vec<Position>]| -> Vec<(f64, f64)> {
             pieces
                 .iter()
                 .filter(|piece| piece.len() > 1)

@@ -4,7 +4,7 @@ use tiny_skia::{Path, PathBuilder};
 use ttf_parser::{Face, FaceParsingError, GlyphId, OutlineBuilder};
 
 use super::canvas::{Anchor, Style};
-use super::clip::Place;
+use super::clip::Position;
 
 /// Both weights in which figures are written.
 pub(super) struct Fonts {
@@ -27,7 +27,7 @@ impl Fonts {
     }
 
     /// The outlines of a text, unless all of it is empty.
-    pub(super) fn outline(&self, (x, y): Place, words: &str, style: Style) -> Option<Path> {
+    pub(super) fn outline(&self, (x, y): Position, words: &str, style: Style) -> Option<Path> {
         let glyphs = words.chars().map(|letter| self.glyph(letter, style.bold));
         let scale = |face: &Face| f64::from(style.size) / f64::from(face.units_per_em());
         let advance = |(face, glyph): (&Face, GlyphId)| {
@@ -78,11 +78,11 @@ impl Font {
 
     fn glyph(&self, letter: char) -> Option<(&Face<'static>, GlyphId)> {
         let of_letter = |&(known, _): &(u32, u16)| known;
-        let place = self
+        let position = self
             .glyphs
             .binary_search_by_key(&u32::from(letter), of_letter)
             .ok()?;
-        Some((&self.face, GlyphId(self.glyphs[place].1)))
+        Some((&self.face, GlyphId(self.glyphs[position].1)))
     }
 }
 

@@ -24,8 +24,8 @@ use crate::chart::{Chart, Marker, Panel, Shape, Ticks};
 use crate::theme::{self, Colour};
 use axis::Frame;
 use canvas::{Anchor, Canvas, Pen, Style};
-use clip::{Place, Rect};
-use text::{MOST_LINES, line_height, text_width, wrapped};
+use clip::{Position, Rect};
+use text::{MAX_LINES, line_height, text_width, wrapped};
 
 /// The narrowest picture, in pixels: below it nothing can be read.
 pub const MIN_WIDTH_PX: u32 = 120;
@@ -36,7 +36,7 @@ pub const MAX_WIDTH_PX: u32 = 8000;
 const MARGIN: f64 = 16.0;
 /// Where the title ends.
 const BELOW_TITLE: f64 = 40.0;
-/// Between what stands for something in the legend and its name.
+/// Between the symbol of an entry of the legend and its name.
 const AFTER_MARKER: f64 = 7.0;
 /// Between two columns of panels.
 const BETWEEN_COLUMNS: f64 = 14.0;
@@ -113,14 +113,14 @@ impl Chart {
                 theme::WIDTH / 2.0,
                 f64::midpoint(BELOW_TITLE, layout.height),
             );
-            let limits = (theme::WIDTH - 2.0 * MARGIN, MOST_LINES);
+            let limits = (theme::WIDTH - 2.0 * MARGIN, MAX_LINES);
             canvas.text_within(limits, middle, &self.caption, style);
         }
         canvas
     }
 }
 
-/// What stands before a name in the legend.
+/// The symbol before a name in the legend.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum LegendMarker {
     Line(Pen),
@@ -137,7 +137,7 @@ impl LegendMarker {
     }
 
     /// Draws it with its left end at `x`, its middle at `y`.
-    fn draw(self, canvas: &mut Canvas, (x, y): Place) {
+    fn draw(self, canvas: &mut Canvas, (x, y): Position) {
         let middle = x + self.width() / 2.0;
         match self {
             Self::Line(pen) => canvas.line((x, y), (x + self.width(), y), pen),
@@ -155,21 +155,21 @@ impl LegendMarker {
     }
 }
 
-/// An entry of the legend in its place.
+/// An entry of the legend at its position.
 struct LegendEntry<'a> {
     marker: LegendMarker,
-    place: Place,
+    position: Position,
     lines: Vec<Cow<'a, str>>,
 }
 
 impl LegendEntry<'_> {
     fn draw(&self, canvas: &mut Canvas) {
-        self.marker.draw(canvas, self.place);
-        let (x, y) = self.place;
+        self.marker.draw(canvas, self.position);
+        let (x, y) = self.position;
         let x = x + self.marker.width() + AFTER_MARKER;
-        for (line, words) in self.lines.iter().enumerate() {
+        for (line, translator) in self.lines.iter().enumerate() {
             let below = line_height(TEXT.size) * line as f64;
-            canvas.text((x, y + 5.0 + below), words, TEXT);
+            canvas.text((x, y + 5.0 + below), translator, TEXT);
         }
     }
 }
@@ -214,7 +214,7 @@ fn legend(chart: &Chart) -> (Vec<LegendEntry<'_>>, f64) {
         let marker = panel::marker_of(layer);
         let before_name = marker.width() + AFTER_MARKER;
         let most = right - MARGIN - before_name;
-        let lines = wrapped(&layer.name, TEXT.size, most, MOST_LINES);
+        let lines = wrapped(&layer.name, TEXT.size, most, MAX_LINES);
         let widths = lines.iter().map(|line| text_width(line, TEXT.size));
         let width = before_name + widths.fold(0.0, f64::max);
         if x > MARGIN && x + width > right {
@@ -225,7 +225,7 @@ fn legend(chart: &Chart) -> (Vec<LegendEntry<'_>>, f64) {
         more = more.max(line_height(TEXT.size) * (lines.len() - 1) as f64);
         placed.push(LegendEntry {
             marker,
-            place: (x, y),
+            position: (x, y),
             lines,
         });
         x += width + GAP;
@@ -290,7 +290,7 @@ fn frames(chart: &Chart, top: f64) -> (Vec<Frame>, f64) {
     (frames.collect(), y)
 }
 
-/// What stands above the frame of a panel: its title, the name of its vertical axis, and marks.
+/// What is above the frame of a panel: its title, the name of its vertical axis, and marks.
 fn above(panel: &Panel) -> f64 {
     let title = if panel.title.is_empty() { 0.0 } else { 22.0 };
     let name = if panel.y.quantity.is_empty() {
@@ -301,7 +301,7 @@ fn above(panel: &Panel) -> f64 {
     8.0 + title + name + panel::height_of_marks(panel)
 }
 
-/// What stands below: the numbers and the name of its horizontal axis.
+/// What is below: the numbers and the name of its horizontal axis.
 fn below(panel: &Panel) -> f64 {
     if panel.x.ticks == Ticks::Labelled {
         52.0

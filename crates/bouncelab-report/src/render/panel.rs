@@ -3,7 +3,7 @@
 use super::LegendMarker;
 use super::axis::{self, Frame};
 use super::canvas::{Anchor, Canvas, Pen, Style};
-use super::clip::{Dash, Place, Rect};
+use super::clip::{Dash, Position, Rect};
 use super::text::text_width;
 use crate::chart::{Dashes, Layer, Marker, Panel, Point, Shape};
 use crate::theme::{self, Colour};
@@ -14,7 +14,7 @@ const DOT: f64 = 4.0;
 const SPECK: f64 = 1.8;
 /// Half the width of a triangle that touches no other.
 const TRIANGLE: f64 = 5.0;
-/// Between a place and the text beside it.
+/// Between a position and the text next to it.
 const BESIDE: f64 = 8.0;
 
 /// Draws a panel: axes, then areas and standard errors, then lines, points and texts.
@@ -32,7 +32,7 @@ pub(super) fn draw(canvas: &mut Canvas, panel: &Panel, frame: &Frame) {
     marks.draw_numbers(canvas);
 }
 
-/// What stands for a layer in the legend.
+/// The symbol of a layer in the legend.
 pub(super) fn marker_of(layer: &Layer) -> LegendMarker {
     let colour = layer.colour();
     match &layer.shape {
@@ -71,7 +71,7 @@ fn draw_below(canvas: &mut Canvas, layer: &Layer, frame: &Frame) {
                 let lower = run.iter().map(|&[x, low, _]| [x, low]);
                 let upper = run.iter().rev().map(|&[x, _, high]| [x, high]);
                 let corners = lower.chain(upper).map(|point| clamped(frame, point));
-                canvas.area(&corners.collect::<Vec<Place>>(), colour);
+                canvas.area(&corners.collect::<Vec<Position>>(), colour);
             }
         }
         Shape::Boxes { boxes } => {
@@ -98,8 +98,8 @@ fn draw_below(canvas: &mut Canvas, layer: &Layer, frame: &Frame) {
     }
 }
 
-/// The place of a point, moved to the edge of the frame if it lies outside.
-fn clamped(frame: &Frame, point: Point) -> Place {
+/// The position of a point, moved to the edge of the frame if it lies outside.
+fn clamped(frame: &Frame, point: Point) -> Position {
     let (x, y) = frame.at(point);
     let Rect {
         left,
@@ -118,8 +118,8 @@ fn draw_above(canvas: &mut Canvas, layer: &Layer, frame: &Frame) {
             width,
             dashes,
         } => {
-            let places: Vec<Place> = points.iter().map(|&point| frame.at(point)).collect();
-            canvas.curve(frame.rect, &places, pen(colour, *width, *dashes));
+            let positions: Vec<Position> = points.iter().map(|&point| frame.at(point)).collect();
+            canvas.curve(frame.rect, &positions, pen(colour, *width, *dashes));
         }
         Shape::Rule {
             at,
@@ -143,8 +143,8 @@ fn draw_above(canvas: &mut Canvas, layer: &Layer, frame: &Frame) {
             draw_rule_name(canvas, layer, x, frame.rect);
         }
         Shape::Points { points, marker, .. } => {
-            for &place in points {
-                point_within(canvas, frame.rect, frame.at(place), (*marker, colour));
+            for &position in points {
+                point_within(canvas, frame.rect, frame.at(position), (*marker, colour));
             }
         }
         Shape::Labels { points, texts } => {
@@ -158,7 +158,7 @@ fn draw_above(canvas: &mut Canvas, layer: &Layer, frame: &Frame) {
     }
 }
 
-/// The name of an upright line beside its top: before it if it fits there.
+/// The name of an upright line next to its top: before it if it fits there.
 fn draw_rule_name(canvas: &mut Canvas, layer: &Layer, x: f64, rect: Rect) {
     if !(rect.left..=rect.right).contains(&x) {
         return;
@@ -178,7 +178,7 @@ fn draw_rule_name(canvas: &mut Canvas, layer: &Layer, x: f64, rect: Rect) {
 fn point_within(
     canvas: &mut Canvas,
     rect: Rect,
-    (x, y): Place,
+    (x, y): Position,
     (marker, colour): (Marker, Colour),
 ) {
     let Rect {
@@ -201,13 +201,13 @@ fn point_within(
     }
 }
 
-fn arrow_head((x, tip): Place, length: f64) -> [Place; 3] {
+fn arrow_head((x, tip): Position, length: f64) -> [Position; 3] {
     let base = tip + length;
     [(x, tip), (x - 4.0, base), (x + 4.0, base)]
 }
 
-/// A point at a place.
-pub(super) fn point(canvas: &mut Canvas, (x, y): Place, marker: Marker, colour: Colour) {
+/// A point at a position.
+pub(super) fn point(canvas: &mut Canvas, (x, y): Position, marker: Marker, colour: Colour) {
     match marker {
         Marker::Dot => canvas.circle((x, y), DOT, colour, true),
         Marker::Ring => canvas.circle((x, y), DOT, colour, false),
@@ -218,7 +218,7 @@ pub(super) fn point(canvas: &mut Canvas, (x, y): Place, marker: Marker, colour: 
 }
 
 /// A triangle standing on its tip, of the given half width; an open one is white inside.
-fn triangle(canvas: &mut Canvas, (x, y): Place, half: f64, colour: Colour, filled: bool) {
+fn triangle(canvas: &mut Canvas, (x, y): Position, half: f64, colour: Colour, filled: bool) {
     let top = y - 2.0 * TRIANGLE + 1.0;
     let corners = [(x, y), (x - half, top), (x + half, top)];
     canvas.area(&corners, if filled { colour } else { theme::PAPER });
@@ -233,7 +233,9 @@ fn triangle(canvas: &mut Canvas, (x, y): Place, half: f64, colour: Colour, fille
 /// How high the marks above a panel are.
 pub(super) fn height_of_marks(panel: &Panel) -> f64 {
     let groups = panel.layers.iter().filter_map(|layer| match &layer.shape {
-        Shape::Marks { places, group, .. } if !places.is_empty() => Some(group.is_empty()),
+        Shape::Marks {
+            positions, group, ..
+        } if !positions.is_empty() => Some(group.is_empty()),
         _ => None,
     });
     // Numbers take one row, names of groups another.
@@ -255,7 +257,7 @@ impl<'a> Mark<'a> {
     /// The marks of a layer.
     fn of(layer: &'a Layer) -> Vec<Self> {
         let Shape::Marks {
-            places,
+            positions,
             numbers,
             group,
             filled,
@@ -263,7 +265,7 @@ impl<'a> Mark<'a> {
         else {
             return Vec::new();
         };
-        let marks = places.iter().zip(numbers).map(|(&value, &number)| Self {
+        let marks = positions.iter().zip(numbers).map(|(&value, &number)| Self {
             value,
             number,
             group,
@@ -274,7 +276,7 @@ impl<'a> Mark<'a> {
     }
 }
 
-/// The marks of a panel from left to right, each with its place.
+/// The marks of a panel from left to right, each with its position.
 struct Marks<'a> {
     marks: Vec<(f64, Mark<'a>)>,
     rect: Rect,
@@ -283,8 +285,8 @@ struct Marks<'a> {
 impl<'a> Marks<'a> {
     fn new(marks: Vec<Mark<'a>>, frame: &Frame) -> Self {
         let rect = frame.rect;
-        let places = marks.into_iter().map(|mark| (frame.x_at(mark.value), mark));
-        let mut marks: Vec<_> = places
+        let positions = marks.into_iter().map(|mark| (frame.x_at(mark.value), mark));
+        let mut marks: Vec<_> = positions
             .filter(|(x, _)| (rect.left..=rect.right).contains(x))
             .collect();
         marks.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -292,7 +294,7 @@ impl<'a> Marks<'a> {
     }
 
     /// A hairline through the panel and a triangle above it for each mark, narrower where they are
-    /// dense. The open ones last: a filled one beside must not hide one.
+    /// dense. The open ones last: a filled one nearby must not hide one.
     fn draw_hairlines(&self, canvas: &mut Canvas) {
         for filled in [true, false] {
             for (i, (x, mark)) in self.marks.iter().enumerate() {
@@ -339,22 +341,22 @@ impl<'a> Marks<'a> {
                     .into_iter()
                     .chain(after)
                     .fold(f64::INFINITY, f64::min);
-                let place = (middle, self.rect.top - 34.0);
-                canvas.text_within((near.max(2.0 * half), 1), place, name, style);
+                let position = (middle, self.rect.top - 34.0);
+                canvas.text_within((near.max(2.0 * half), 1), position, name, style);
                 taken = taken.max(middle + half);
             }
             free = taken;
         }
     }
 
-    /// Names of the groups with number and place of their marks, in the order of their first marks.
+    /// Names of the groups with number and position of their marks, in the order of their first marks.
     fn groups(&self) -> Vec<(&'a str, Vec<(u32, f64)>)> {
         let mut groups: Vec<(&str, Vec<(u32, f64)>)> = Vec::new();
         for (x, mark) in &self.marks {
-            let place = (mark.number, *x);
+            let position = (mark.number, *x);
             match groups.iter_mut().find(|(group, _)| *group == mark.group) {
-                Some((_, places)) => places.push(place),
-                None => groups.push((mark.group, vec![place])),
+                Some((_, positions)) => positions.push(position),
+                None => groups.push((mark.group, vec![position])),
             }
         }
         groups
@@ -366,7 +368,7 @@ fn middle(marks: &[(u32, f64)]) -> f64 {
     f64::midpoint(marks[0].1, marks[marks.len() - 1].1)
 }
 
-/// The numbers worth writing, each with its place: the first, every fifth and the last, or one text
+/// The numbers worth writing, each with its position: the first, every fifth and the last, or one text
 /// for all if they are too close.
 fn numbers(marks: &[(u32, f64)]) -> Vec<(String, f64)> {
     const CLOSE: f64 = 24.0;

@@ -3,7 +3,7 @@
 use tiny_skia::{Path, PathBuilder};
 
 use super::canvas::{RIM, Shape};
-use super::clip::Place;
+use super::clip::Position;
 use super::font::Fonts;
 use crate::theme::Colour;
 
@@ -54,11 +54,11 @@ fn paint_shape(shape: &Shape, fonts: &Fonts, surface: &mut impl Surface) -> Opti
             }
         }
         Shape::Text {
-            place,
+            position,
             words,
             style,
         } => {
-            let letters = fonts.outline(*place, words, *style)?;
+            let letters = fonts.outline(*position, words, *style)?;
             surface.fill(&letters, style.colour);
         }
     }
@@ -66,7 +66,7 @@ fn paint_shape(shape: &Shape, fonts: &Fonts, surface: &mut impl Surface) -> Opti
 }
 
 /// The path through points; back to the first if it is closed.
-fn polyline(points: &[Place], closed: bool) -> Option<Path> {
+fn polyline(points: &[Position], closed: bool) -> Option<Path> {
     let mut path = PathBuilder::new();
     let (&(x, y), others) = points.split_first()?;
     path.move_to(x as f32, y as f32);

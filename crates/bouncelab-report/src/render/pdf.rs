@@ -6,7 +6,7 @@ use pdf_writer::{Content, Filter, Pdf, Rect, Ref, TextStr};
 use tiny_skia::{Path, PathSegment, Point};
 
 use super::canvas::Shape;
-use super::clip::Place;
+use super::clip::Position;
 use super::paths::{Surface, paint};
 use crate::mark::MARK;
 use crate::theme::Colour;
@@ -19,7 +19,7 @@ const EFFORT: u8 = 6;
 /// Draws shapes of a width and a height, in figure pixels, as a page of that size.
 pub(super) fn pdf(
     shapes: &[Shape],
-    (width, height): Place,
+    (width, height): Position,
     title: &str,
 ) -> Result<Vec<u8>, String> {
     let (width, height) = (POINTS * width as f32, POINTS * height as f32);
@@ -115,6 +115,6 @@ fn shares(colour: Colour) -> [f32; 3] {
 }
 
 /// A drawing is printed at any size, so finer than that of a screen, but not to the last bit.
-fn rounded(place: f32) -> f32 {
-    (place * 1000.0).round() / 1000.0
+fn rounded(position: f32) -> f32 {
+    (position * 1000.0).round() / 1000.0
 }

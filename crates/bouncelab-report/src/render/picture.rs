@@ -3,7 +3,7 @@
 use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, Path, Pixmap, Stroke, Transform};
 
 use super::canvas::Shape;
-use super::clip::Place;
+use super::clip::Position;
 use super::paths::{Surface, paint};
 use crate::mark::MARK;
 use crate::theme::{self, Colour};
@@ -11,7 +11,7 @@ use crate::theme::{self, Colour};
 /// Draws shapes of a width and a height, in figure pixels, as a PNG file of the given width.
 pub(super) fn png(
     shapes: &[Shape],
-    (width, height): Place,
+    (width, height): Position,
     width_px: u32,
 ) -> Result<Vec<u8>, String> {
     let scale = f64::from(width_px) / width;

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::canvas::{Anchor, RIM, Shape};
-use super::clip::Place;
+use super::clip::Position;
 use super::text::printable;
 use crate::mark::MARK;
 use crate::theme::{self, Colour};
@@ -12,7 +12,7 @@ use crate::theme::{self, Colour};
 /// cannot see them.
 pub(super) fn svg(
     shapes: &[Shape],
-    (width, height): Place,
+    (width, height): Position,
     title: &str,
     description: &str,
 ) -> String {
@@ -52,7 +52,7 @@ fn element(shape: &Shape) -> Markup {
                 stroke=[rim] stroke-width=[rim.map(|_: Colour| RIM)] {}
         },
         Shape::Text {
-            place: (x, y),
+            position: (x, y),
             words,
             style,
         } => html! {
@@ -71,15 +71,15 @@ fn anchor(anchor: Anchor) -> &'static str {
 }
 
 /// The straight lines from each point to the next.
-fn path(points: &[Place]) -> String {
-    let to = |(index, (x, y)): (usize, &Place)| {
+fn path(points: &[Position]) -> String {
+    let to = |(index, (x, y)): (usize, &Position)| {
         let letter = if index == 0 { 'M' } else { 'L' };
         format!("{letter}{} {}", rounded(*x), rounded(*y))
     };
     points.iter().enumerate().map(to).collect()
 }
 
-/// Hundredths of a pixel are seen by nobody.
-fn rounded(place: f64) -> f64 {
-    (place * 100.0).round() / 100.0
+/// Hundredths of a pixel are invisible.
+fn rounded(position: f64) -> f64 {
+    (position * 100.0).round() / 100.0
 }

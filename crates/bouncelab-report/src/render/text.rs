@@ -6,7 +6,7 @@ use std::borrow::Cow;
 const SOFT_HYPHEN: char = '\u{ad}';
 
 /// Longer texts than this, in lines, are left out in part.
-pub(super) const MOST_LINES: usize = 4;
+pub(super) const MAX_LINES: usize = 4;
 
 /// Width of a text in figure pixels, rather too wide than too narrow: by the classes of
 /// letters of `DejaVu Sans`, which is wider than the fonts of most systems.
@@ -35,7 +35,7 @@ pub(super) fn line_height(size: u32) -> f64 {
     1.15 * f64::from(size)
 }
 
-/// The text in lines no wider than `width` figure pixels, at least one and at most so many: broken
+/// The text in lines no wider than `width` figure pixels, at least one and at most `most`: broken
 /// between words where that goes, within one where not, and shortened where even that is too long.
 pub(super) fn wrapped(text: &str, size: u32, width: f64, most: usize) -> Vec<Cow<'_, str>> {
     let mut lines = Vec::new();
@@ -83,7 +83,7 @@ fn shortened(text: &str, size: u32, width: f64) -> Cow<'_, str> {
 }
 
 /// Without hyphens for the end of a line, since a drawing breaks none. What must not be shown is left blank, so
-/// that a text is as long as it was when its place was found.
+/// that a text is as long as when its position was computed.
 pub(super) fn printable(text: &str) -> String {
     text.chars()
         .filter(|&c| c != SOFT_HYPHEN)

@@ -5,8 +5,8 @@ use bouncelab::inference::Measured;
 use bouncelab::setup::Setup;
 use bouncelab::{Diagnostic, Options};
 
+use super::input::ReportInput;
 use super::page::{Block, Section, sentence};
-use super::subject::Recording;
 use crate::messages::{Translator, Value};
 use crate::quantity::{Quantity, Unit};
 use crate::tables::drag_law;
@@ -14,46 +14,49 @@ use crate::tables::drag_law;
 /// A name and a value.
 type Fact = (String, String);
 
-/// Recording, ball, air and gravity, and what of it nobody stated.
-pub fn conditions(recording: &Recording, words: &Translator) -> Section {
-    let source = source(&recording.result.source, words);
-    of_all(source, recording.setup, words)
+/// Recording, ball, air and gravity, and what of it was assumed.
+pub fn conditions(input: &ReportInput, translator: &Translator) -> Section {
+    let source = source(&input.result.source, translator);
+    of_all(source, input.setup, translator)
 }
 
-/// Ball, air and gravity of several recordings, and what of it nobody stated.
-pub fn shared_conditions(setup: &Setup, words: &Translator) -> Section {
-    of_all(Vec::new(), setup, words)
+/// Ball, air and gravity of several recordings, and what of it was assumed.
+pub fn shared_conditions(setup: &Setup, translator: &Translator) -> Section {
+    of_all(Vec::new(), setup, translator)
 }
 
-fn of_all(mut facts: Vec<Fact>, setup: &Setup, words: &Translator) -> Section {
+fn of_all(mut facts: Vec<Fact>, setup: &Setup, translator: &Translator) -> Section {
     let (settings, assumptions) = (&setup.options, &setup.assumptions);
-    facts.extend(known(settings, words.ball(&setup.ball), words));
+    facts.extend(known(settings, translator.ball(&setup.ball), translator));
     let mut blocks = vec![Block::Facts(facts)];
     if !assumptions.is_empty() {
-        blocks.push(Block::text(words.text("report-assumed")));
-        blocks.push(Block::List(sentences(assumptions, words)));
+        blocks.push(Block::text(translator.text("report-assumed")));
+        blocks.push(Block::List(sentences(assumptions, translator)));
     }
-    Section::new(words.text("report-conditions"), blocks)
+    Section::new(translator.text("report-conditions"), blocks)
 }
 
-/// What the inference knew before the data; empty without inference.
-pub fn priors(settings: &Options, words: &Translator) -> Section {
+/// The priors of the inference; empty without inference.
+pub fn priors(settings: &Options, translator: &Translator) -> Section {
     let known = settings.inference.as_ref().map(|_| {
-        let known = sentences(&settings.priors.diagnostics(), words);
+        let known = sentences(&settings.priors.diagnostics(), translator);
         Block::List(known)
     });
-    Section::new(words.text("report-priors"), known.into_iter().collect())
+    Section::new(
+        translator.text("report-priors"),
+        known.into_iter().collect(),
+    )
 }
 
-fn sentences(diagnostics: &[Diagnostic], words: &Translator) -> Vec<String> {
-    let sentences = diagnostics.iter().map(|known| words.diagnostic(known));
+fn sentences(diagnostics: &[Diagnostic], translator: &Translator) -> Vec<String> {
+    let sentences = diagnostics.iter().map(|known| translator.diagnostic(known));
     sentences.map(|known| sentence(&known)).collect()
 }
 
-fn source(origin: &Source, words: &Translator) -> Vec<Fact> {
-    let source = words.text("report-source");
+fn source(origin: &Source, translator: &Translator) -> Vec<Fact> {
+    let source = translator.text("report-source");
     match origin {
-        Source::Times => vec![(source, words.text("report-source-times"))],
+        Source::Times => vec![(source, translator.text("report-source-times"))],
         Source::Sound {
             format,
             sample_rate_hz,
@@ -63,37 +66,37 @@ fn source(origin: &Source, words: &Translator) -> Vec<Fact> {
             onsets,
         } => {
             let format = match format.as_deref() {
-                Some("microphone") => words.text("report-microphone"),
+                Some("microphone") => translator.text("report-microphone"),
                 Some(format) => format.to_owned(),
-                None => words.text("report-samples"),
+                None => translator.text("report-samples"),
             };
             let sound = [
                 ("format", format.into()),
                 ("rate", (f64::from(*sample_rate_hz) / 1000.0).into()),
                 ("duration", Value::fixed(*duration_s, 2)),
             ];
-            let mut facts = vec![(source, words.text_with("report-source-sound", &sound))];
+            let mut facts = vec![(source, translator.text_with("report-source-sound", &sound))];
             if *channels > 1 {
                 let of = [
                     ("channel", (*channel).into()),
                     ("count", (*channels).into()),
                 ];
-                let channel = words.text_with("report-channel-of", &of);
-                facts.push((words.text("report-channel"), channel));
+                let channel = translator.text_with("report-channel-of", &of);
+                facts.push((translator.text("report-channel"), channel));
             }
-            facts.push((words.text("report-onsets"), onsets.to_string()));
+            facts.push((translator.text("report-onsets"), onsets.to_string()));
             facts
         }
     }
 }
 
-fn known(settings: &Options, ball_name: String, words: &Translator) -> Vec<Fact> {
+fn known(settings: &Options, ball_name: String, translator: &Translator) -> Vec<Fact> {
     let (ball, environment) = (&settings.ball, &settings.environment);
     let (air, priors) = (&environment.air, &settings.priors);
     let measured = |id: &str, value: f64, sd: f64, unit| {
         (
-            words.text(id),
-            Quantity::measured(value, sd, unit).text(words),
+            translator.text(id),
+            Quantity::measured(value, sd, unit).text(translator),
         )
     };
     let known = |id: &str, value: f64, rel_sd: f64, unit| measured(id, value, rel_sd * value, unit);
@@ -106,7 +109,7 @@ fn known(settings: &Options, ball_name: String, words: &Translator) -> Vec<Fact>
     let (contact_s, gravity_m_s2) = (settings.contact_time_s, environment.gravity_m_s2);
     let density_kg_m3 = air.density_kg_m3();
     let mut facts = vec![
-        (words.text("report-ball"), ball_name),
+        (translator.text("report-ball"), ball_name),
         known(
             "report-mass",
             ball.mass_kg(),
@@ -138,12 +141,12 @@ fn known(settings: &Options, ball_name: String, words: &Translator) -> Vec<Fact>
             Unit::Density,
         ),
         (
-            words.text("report-drag-law"),
-            drag_law(environment.drag, words),
+            translator.text("report-drag-law"),
+            drag_law(environment.drag, translator),
         ),
         (
-            words.text("report-displaced-air"),
-            words.text(displaced_air),
+            translator.text("report-displaced-air"),
+            translator.text(displaced_air),
         ),
     ];
     if let Some(Measured { value, sd }) = priors.drop_height_m {
@@ -158,8 +161,8 @@ fn known(settings: &Options, ball_name: String, words: &Translator) -> Vec<Fact>
             ("draws", sampler.draws.into()),
             ("seed", sampler.seed.into()),
         ];
-        let sampler = words.text_with("report-sampler-draws", &draws);
-        facts.push((words.text("report-sampler"), sampler));
+        let sampler = translator.text_with("report-sampler-draws", &draws);
+        facts.push((translator.text("report-sampler"), sampler));
     }
     facts
 }

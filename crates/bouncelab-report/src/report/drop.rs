@@ -1,71 +1,72 @@
-//! One drop in words, numbers and figures.
+//! One drop in sentences, numbers and figures.
 
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Options};
 use bouncelab::inference::{Posterior, PriorContraction, UNINFORMATIVE};
 use bouncelab::regression::LogLinearFit;
 
 use super::page::{Block, Section, ended, sentence};
-use crate::figure::{self, ReportSection, Subject};
+use crate::figure::{self, FigureInput, ReportSection};
 use crate::messages::{Translator, Value, capital};
 use crate::quantities::{self, Level, Method, QuantityList, Reported};
 use crate::quantity::{Quantity, Unit};
 use crate::table::{Align, Table};
 use crate::tables;
 
-/// The answer of a drop in plain words: one sentence to remember, and what it rests on.
-pub fn in_words(drop: &Drop, words: &Translator) -> Vec<Block> {
+/// The answer of a drop in sentences: first the result, then what it follows from.
+pub fn in_words(drop: &Drop, translator: &Translator) -> Vec<Block> {
     let mut blocks = vec![
-        Block::Lead(kept(drop, words)),
-        Block::text(detected(drop, words)),
+        Block::Lead(kept(drop, translator)),
+        Block::text(detected(drop, translator)),
     ];
-    if let (Ok(found), Ok(line)) = (&drop.posterior, &drop.log_linear_fit) {
-        blocks.push(Block::text(against_the_line(found, line, words)));
+    if let (Ok(posterior), Ok(line)) = (&drop.posterior, &drop.log_linear_fit) {
+        blocks.push(Block::text(against_the_line(posterior, line, translator)));
     }
     blocks
 }
 
 /// "The ball kept 94.6 ± 0.2 % of its speed at each bounce and fell from 30.4 ± 0.6 cm."
-fn kept(drop: &Drop, words: &Translator) -> String {
-    let inline = |quantity: Quantity| Value::from(unbroken(quantity, words));
+fn kept(drop: &Drop, translator: &Translator) -> String {
+    let inline = |quantity: Quantity| Value::from(unbroken(quantity, translator));
     match (
         &drop.posterior,
         drop.per_impact_restitution(),
         &drop.log_linear_fit,
     ) {
-        (Ok(found), ..) => {
-            let is_release = found.first_was_detected() || found.missed_first_impacts.is_some();
+        (Ok(posterior), ..) => {
+            let is_release =
+                posterior.first_was_detected() || posterior.missed_first_impacts.is_some();
             let id = if is_release {
                 "report-kept-and-fell"
             } else {
                 "report-kept-and-fell-first"
             };
-            let share = inline(Quantity::of(&found.restitution, Unit::Percent));
-            let height = inline(Quantity::of(&found.drop_height_m, Unit::Length));
-            words.text_with(id, &[("share", share), ("height", height)])
+            let share = inline(Quantity::of(&posterior.restitution, Unit::Percent));
+            let height = inline(Quantity::of(&posterior.drop_height_m, Unit::Length));
+            translator.text_with(id, &[("share", share), ("height", height)])
         }
         (_, Some(corrected), _) => {
             let share = inline(Quantity::of(&corrected, Unit::Percent));
-            words.text_with("report-kept", &[("share", share)])
+            translator.text_with("report-kept", &[("share", share)])
         }
         (.., Ok(line)) => {
             let share = inline(Quantity::of(&line.restitution, Unit::Percent));
             let height = inline(Quantity::of(&line.drop_height_m, Unit::Length));
-            words.text_with(
+            translator.text_with(
                 "report-kept-without-air",
                 &[("share", share), ("height", height)],
             )
         }
-        (.., Err(reason)) => words.text_with(
+        (.., Err(reason)) => translator.text_with(
             "report-kept-unknown",
             &[(
                 "reason",
-                ended(words.diagnostic(&reason.diagnostic())).into(),
+                ended(translator.diagnostic(&reason.diagnostic())).into(),
             )],
         ),
     }
 }
 
-fn detected(drop: &Drop, words: &Translator) -> String {
+fn detected(drop: &Drop, translator: &Translator) -> String {
     let impacts = &drop.impacts;
     let seconds = |impact: Option<&bouncelab::Impact>| {
         Value::fixed(impact.map_or(f64::NAN, |impact| impact.time_s), 2)
@@ -74,7 +75,7 @@ fn detected(drop: &Drop, words: &Translator) -> String {
         .iter()
         .filter(|i| i.probability < CONFIDENT_PROBABILITY)
         .count();
-    let impacts = words.text_with(
+    let impacts = translator.text_with(
         "report-impacts",
         &[
             ("count", impacts.len().into()),
@@ -83,29 +84,35 @@ fn detected(drop: &Drop, words: &Translator) -> String {
             ("uncertain", uncertain.into()),
         ],
     );
-    let Ok(found) = &drop.posterior else {
+    let Ok(posterior) = &drop.posterior else {
         return impacts;
     };
-    let value = unbroken(Quantity::of(&found.restitution, Unit::Number), words);
-    let speed = unbroken(Quantity::rounded(found.at_speed_m_s, 3, Unit::Speed), words);
+    let value = unbroken(
+        Quantity::of(&posterior.restitution, Unit::Number),
+        translator,
+    );
+    let speed = unbroken(
+        Quantity::rounded(posterior.at_speed_m_s, 3, Unit::Speed),
+        translator,
+    );
     let restitution = [("value", value.into()), ("speed", speed.into())];
     format!(
         "{impacts} {}",
-        words.text_with("report-restitution", &restitution)
+        translator.text_with("report-restitution", &restitution)
     )
 }
 
 /// What drag does to the log-linear fit of the paper.
-fn against_the_line(found: &Posterior, line: &LogLinearFit, words: &Translator) -> String {
-    let points = 100.0 * (found.restitution.value - line.restitution.value);
+fn against_the_line(posterior: &Posterior, line: &LogLinearFit, translator: &Translator) -> String {
+    let points = 100.0 * (posterior.restitution.value - line.restitution.value);
     let difference = match points {
         _ if points.abs() < 0.05 => "none",
         _ if points > 0.0 => "less",
         _ => "more",
     };
-    let share = unbroken(Quantity::of(&line.restitution, Unit::Percent), words);
-    let height = unbroken(Quantity::of(&line.drop_height_m, Unit::Length), words);
-    words.text_with(
+    let share = unbroken(Quantity::of(&line.restitution, Unit::Percent), translator);
+    let height = unbroken(Quantity::of(&line.drop_height_m, Unit::Length), translator);
+    translator.text_with(
         "report-line-says",
         &[
             ("share", share.into()),
@@ -116,58 +123,58 @@ fn against_the_line(found: &Posterior, line: &LogLinearFit, words: &Translator) 
     )
 }
 
-/// The answer of one drop and its main figures; `in_words_too` puts the answer in words first.
+/// The answer of one drop and its main figures; `in_words_too` puts the sentences first.
 pub fn drop(
     heading: &str,
     drop: &Drop,
     settings: &Options,
     in_words_too: bool,
-    words: &Translator,
+    translator: &Translator,
 ) -> Section {
     let mut blocks = if in_words_too {
-        in_words(drop, words)
+        in_words(drop, translator)
     } else {
         Vec::new()
     };
     let notes = drop.diagnostics.iter();
-    blocks.extend(notes.map(|known| Block::Note(sentence(&words.diagnostic(known)))));
-    let lists = quantities::of_drop(drop, settings, words);
-    let answers = answers(&lists, words);
-    blocks.push(Block::table(words.text("report-answers"), answers));
+    blocks.extend(notes.map(|known| Block::Note(sentence(&translator.diagnostic(known)))));
+    let lists = quantities::of_drop(drop, settings, translator);
+    let answers = answers(&lists, translator);
+    blocks.push(Block::table(translator.text("report-answers"), answers));
     let part = Part {
-        subject: &Subject::new(drop, settings),
-        words,
+        input: &FigureInput::new(drop, settings),
+        translator,
     };
     blocks.extend(part.figures(ReportSection::Answer));
     Section::new(heading, blocks)
 }
 
-/// What else there is to say of one drop, part by part.
-pub fn drop_details(drop: &Drop, settings: &Options, words: &Translator) -> Vec<Section> {
+/// The details of one drop, part by part.
+pub fn drop_details(drop: &Drop, settings: &Options, translator: &Translator) -> Vec<Section> {
     let part = Part {
-        subject: &Subject::new(drop, settings),
-        words,
+        input: &FigureInput::new(drop, settings),
+        translator,
     };
-    let lists = quantities::of_drop(drop, settings, words);
+    let lists = quantities::of_drop(drop, settings, translator);
     let mut parts = vec![
         part.impacts(drop),
         part.straight_line(drop),
-        other_quantities(&lists, words),
+        other_quantities(&lists, translator),
     ];
     parts.retain(|section| !section.is_empty());
-    if let Ok(found) = &drop.posterior {
-        parts.push(part.uncertainty(found));
-        parts.push(part.laws(found));
-        parts.push(part.contraction(found));
-        parts.push(part.fit(found));
+    if let Ok(posterior) = &drop.posterior {
+        parts.push(part.uncertainty(posterior));
+        parts.push(part.laws(posterior));
+        parts.push(part.contraction(posterior));
+        parts.push(part.fit(posterior));
     }
     parts
 }
 
 /// The methods with and without air side by side.
-fn answers(lists: &[QuantityList], words: &Translator) -> Table {
+fn answers(lists: &[QuantityList], translator: &Translator) -> Table {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("", Align::Left),
             ("column-inference", Align::Right),
@@ -212,9 +219,9 @@ fn cells(list: &QuantityList, row: &Reported) -> [String; 3] {
 }
 
 /// The quantities that explain or check the answers.
-fn other_quantities(lists: &[QuantityList], words: &Translator) -> Section {
+fn other_quantities(lists: &[QuantityList], translator: &Translator) -> Section {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("", Align::Left),
             ("column-inference", Align::Right),
@@ -227,7 +234,7 @@ fn other_quantities(lists: &[QuantityList], words: &Translator) -> Section {
             table.row(cells(list, row));
         }
     }
-    let heading = words.text("report-quantities");
+    let heading = translator.text("report-quantities");
     let blocks = (!table.is_empty()).then(|| Block::table(heading.clone(), table));
     Section::new(heading, blocks.into_iter().collect())
 }
@@ -235,121 +242,124 @@ fn other_quantities(lists: &[QuantityList], words: &Translator) -> Section {
 /// What the parts of a section have in common.
 #[derive(Clone, Copy)]
 struct Part<'a> {
-    subject: &'a Subject<'a>,
-    words: &'a Translator,
+    input: &'a FigureInput<'a>,
+    translator: &'a Translator,
 }
 
 impl Part<'_> {
     /// The figures that stand in a section of the report.
     fn figures(self, section: ReportSection) -> impl Iterator<Item = Block> {
-        let figures = figure::of_drop(self.subject).filter(move |it| it.section == section);
-        figures.map(move |it| Block::figure(it.name, it.chart(self.subject, self.words)))
+        let figures = figure::of_drop(self.input).filter(move |it| it.section == section);
+        figures.map(move |it| Block::figure(it.name, it.chart(self.input, self.translator)))
     }
 
     fn impacts(self, drop: &Drop) -> Section {
         let mut blocks: Vec<Block> = self.figures(ReportSection::Impacts).collect();
-        let table = tables::impacts(drop, true, self.words);
-        blocks.push(Block::table(self.words.text("report-impacts-table"), table));
-        Section::new(self.words.text("report-impacts-heading"), blocks)
+        let table = tables::impacts(drop, true, self.translator);
+        blocks.push(Block::table(
+            self.translator.text("report-impacts-table"),
+            table,
+        ));
+        Section::new(self.translator.text("report-impacts-heading"), blocks)
     }
 
     fn straight_line(self, drop: &Drop) -> Section {
-        let words = self.words;
+        let translator = self.translator;
         let mut blocks = Vec::new();
         match &drop.log_linear_fit {
             Ok(line) => {
                 let count = drop.flights.iter().filter(|flight| flight.in_fit).count();
                 blocks.push(Block::text(match line.r_squared {
-                    Some(determination) => words.text_with(
+                    Some(determination) => translator.text_with(
                         "report-line-fits",
                         &[
                             ("count", count.into()),
                             ("determination", Value::fixed(determination, 5)),
                         ],
                     ),
-                    None => words.text_with("report-line-flights", &[("count", count.into())]),
+                    None => translator.text_with("report-line-flights", &[("count", count.into())]),
                 }));
                 blocks.extend(self.figures(ReportSection::LogLinearFit));
             }
             Err(reason) => {
                 let reason = [(
                     "reason",
-                    ended(words.diagnostic(&reason.diagnostic())).into(),
+                    ended(translator.diagnostic(&reason.diagnostic())).into(),
                 )];
-                blocks.push(Block::text(words.text_with("report-no-line", &reason)));
+                blocks.push(Block::text(translator.text_with("report-no-line", &reason)));
             }
         }
-        Section::new(words.text("report-line-heading"), blocks)
+        Section::new(translator.text("report-line-heading"), blocks)
     }
 
-    fn uncertainty(self, found: &Posterior) -> Section {
-        let words = self.words;
-        let (budget, length) = (&found.budget, Unit::Length);
+    fn uncertainty(self, posterior: &Posterior) -> Section {
+        let translator = self.translator;
+        let (budget, length) = (&posterior.budget, Unit::Length);
         let mut blocks = vec![
             Block::table(
-                words.text("report-budget-restitution"),
-                tables::budget(&budget.restitution, Unit::Number, words),
+                translator.text("report-budget-restitution"),
+                tables::budget(&budget.restitution, Unit::Number, translator),
             ),
             Block::table(
-                words.text("report-budget-drop-height"),
-                tables::budget(&budget.drop_height_m, length, words),
+                translator.text("report-budget-drop-height"),
+                tables::budget(&budget.drop_height_m, length, translator),
             ),
         ];
         blocks.extend(self.figures(ReportSection::Uncertainty));
-        Section::new(words.text("report-uncertainty"), blocks)
+        Section::new(translator.text("report-uncertainty"), blocks)
     }
 
-    fn laws(self, found: &Posterior) -> Section {
-        let words = self.words;
-        let table = tables::models(found, words);
-        let mut blocks = vec![Block::table(words.text("report-laws-table"), table)];
+    fn laws(self, posterior: &Posterior) -> Section {
+        let translator = self.translator;
+        let table = tables::models(posterior, translator);
+        let mut blocks = vec![Block::table(translator.text("report-laws-table"), table)];
         blocks.extend(self.figures(ReportSection::Laws));
-        Section::new(words.text("report-laws"), blocks)
+        Section::new(translator.text("report-laws"), blocks)
     }
 
-    /// What the data determined, and what only the priors did.
-    fn contraction(self, found: &Posterior) -> Section {
-        let words = self.words;
-        let unknowns = found.prior_contraction.iter();
+    /// What the data determined, and what only the priors.
+    fn contraction(self, posterior: &Posterior) -> Section {
+        let translator = self.translator;
+        let unknowns = posterior.prior_contraction.iter();
         let sentences = unknowns
-            .map(|unknown| contraction(unknown, words))
+            .map(|unknown| contraction(unknown, translator))
             .collect();
         let mut blocks = vec![Block::List(sentences)];
         blocks.extend(self.figures(ReportSection::Contraction));
-        let table = tables::correlations(found, words);
-        blocks.push(Block::table(words.text("report-correlations"), table));
-        Section::new(words.text("report-contraction"), blocks)
+        let table = tables::correlations(posterior, translator);
+        blocks.push(Block::table(translator.text("report-correlations"), table));
+        Section::new(translator.text("report-contraction"), blocks)
     }
 
-    fn fit(self, found: &Posterior) -> Section {
-        let words = self.words;
-        let sampling = &found.sampling;
+    fn fit(self, posterior: &Posterior) -> Section {
+        let translator = self.translator;
+        let sampling = &posterior.sampling;
         let mut blocks: Vec<Block> = self.figures(ReportSection::Fit).collect();
-        let table = tables::fitted_impacts(found, words);
-        blocks.push(Block::table(words.text("report-fit-table"), table));
-        blocks.push(Block::text(words.text_with(
+        let table = tables::fitted_impacts(posterior, translator);
+        blocks.push(Block::table(translator.text("report-fit-table"), table));
+        blocks.push(Block::text(translator.text_with(
             "report-sampling",
             &[
                 ("draws", Value::fixed(sampling.effective_draws, 0)),
                 ("shape", Value::fixed(sampling.pareto_shape, 2)),
             ],
         )));
-        Section::new(words.text("report-fit"), blocks)
+        Section::new(translator.text("report-fit"), blocks)
     }
 }
 
-fn contraction(found: &PriorContraction, words: &Translator) -> String {
-    let unknown = capital(&tables::unknown(found.unknown, words)).into();
-    let left = Value::fixed(100.0 * found.remaining, 0);
-    if found.remaining > UNINFORMATIVE {
-        words.text_with("report-uninformative", &[("unknown", unknown)])
-    } else if found.remaining > 0.5 {
-        words.text_with(
+fn contraction(contraction: &PriorContraction, translator: &Translator) -> String {
+    let unknown = capital(&tables::unknown(contraction.unknown, translator)).into();
+    let left = Value::fixed(100.0 * contraction.remaining, 0);
+    if contraction.remaining > UNINFORMATIVE {
+        translator.text_with("report-uninformative", &[("unknown", unknown)])
+    } else if contraction.remaining > 0.5 {
+        translator.text_with(
             "report-little-informative",
             &[("unknown", unknown), ("left", left)],
         )
     } else {
-        words.text_with(
+        translator.text_with(
             "report-informative",
             &[("unknown", unknown), ("left", left)],
         )
@@ -357,6 +367,6 @@ fn contraction(found: &PriorContraction, words: &Translator) -> String {
 }
 
 /// A quantity in a sentence: no line ends within it.
-fn unbroken(quantity: Quantity, words: &Translator) -> String {
-    quantity.text(words).replace(' ', "\u{a0}")
+fn unbroken(quantity: Quantity, translator: &Translator) -> String {
+    quantity.text(translator).replace(' ', "\u{a0}")
 }

@@ -13,7 +13,7 @@ use crate::table::{Align, Table};
 
 const STYLE: &str = include_str!("style.css");
 
-/// Nothing may be fetched and nothing run; the style stands in the file.
+/// Nothing may be fetched and nothing run; the style is in the file.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
 
 impl Page {
@@ -61,10 +61,10 @@ impl Page {
     }
 }
 
-/// A table of so many rows stays on one page.
+/// A table of up to this count of rows stays on one page.
 const SHORT: usize = 16;
 
-/// What is known and counted while a page is written.
+/// State while a page is written.
 struct Form<'a> {
     language: &'a Language,
     sections: usize,
@@ -86,10 +86,10 @@ impl Form<'_> {
 
     fn block(&mut self, block: &Block) -> Markup {
         match block {
-            Block::Lead(words) => html! { p .first { (words) } },
-            Block::Text(words) => html! { p { (words) } },
-            Block::Note(words) => {
-                html! { p .note { strong { (self.language.note) ". " } (words) } }
+            Block::Lead(translator) => html! { p .first { (translator) } },
+            Block::Text(translator) => html! { p { (translator) } },
+            Block::Note(translator) => {
+                html! { p .note { strong { (self.language.note) ". " } (translator) } }
             }
             Block::List(items) => html! { ul { @for item in items { li { (item) } } } },
             Block::Facts(facts) => html! {

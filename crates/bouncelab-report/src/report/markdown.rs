@@ -1,4 +1,4 @@
-//! A page as Markdown for a notebook, its figures beside it.
+//! A page as Markdown for a notebook, with figures as files.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -84,11 +84,11 @@ impl Form<'_> {
 
     fn piece(&mut self, block: &Block) {
         match block {
-            Block::Lead(words) => self.block(&format!("**{}**", escaped(words))),
-            Block::Text(words) => self.block(&escaped(words)),
-            Block::Note(words) => {
+            Block::Lead(translator) => self.block(&format!("**{}**", escaped(translator))),
+            Block::Text(translator) => self.block(&escaped(translator)),
+            Block::Note(translator) => {
                 let note = escaped(&self.language.note);
-                self.block(&format!("> **{note}.** {}", escaped(words)));
+                self.block(&format!("> **{note}.** {}", escaped(translator)));
             }
             Block::List(items) => {
                 let rows: Vec<String> = items
@@ -174,14 +174,14 @@ fn fenced(text: &str) -> String {
 fn escaped(text: &str) -> String {
     let text = String::from(Plain::of(text));
     let mut safe = String::with_capacity(text.len());
-    for (place, letter) in text.char_indices() {
+    for (index, letter) in text.char_indices() {
         match letter {
             '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '|' | '$' | '~' | '&' | '#' => {
                 safe.push('\\');
                 safe.push(letter);
             }
             // At the start of a line these would begin a list.
-            '-' | '+' if place == 0 => {
+            '-' | '+' if index == 0 => {
                 safe.push('\\');
                 safe.push(letter);
             }

@@ -37,13 +37,13 @@ const REFERENCES: [(&str, Option<&str>); 6] = [
 ];
 
 /// The method in a few sentences.
-pub fn method_in_short(words: &Translator) -> Section {
-    let told = Block::text(words.text("report-method-short"));
-    Section::new(words.text("report-method"), vec![told])
+pub fn method_in_short(translator: &Translator) -> Section {
+    let told = Block::text(translator.text("report-method-short"));
+    Section::new(translator.text("report-method"), vec![told])
 }
 
 /// The method with its formulas and references: the same for every page.
-pub fn method(words: &Translator) -> Section {
+pub fn method(translator: &Translator) -> Section {
     let steps = [
         ("report-method-flight", Equation::PlainHeight),
         ("report-method-line", Equation::StraightLine),
@@ -54,13 +54,13 @@ pub fn method(words: &Translator) -> Section {
     ];
     let mut blocks: Vec<Block> = steps
         .into_iter()
-        .flat_map(|(id, equation)| [Block::text(words.text(id)), Block::Equation(equation)])
+        .flat_map(|(id, equation)| [Block::text(translator.text(id)), Block::Equation(equation)])
         .collect();
     let references = REFERENCES.map(|(work, cited_for)| match cited_for {
-        Some(id) => words.text_with(id, &[("work", work.into())]),
+        Some(id) => translator.text_with(id, &[("work", work.into())]),
         None => work.to_owned(),
     });
-    blocks.push(Block::text(words.text("report-references")));
+    blocks.push(Block::text(translator.text("report-references")));
     blocks.push(Block::List(references.into()));
-    Section::new(words.text("report-formulas"), blocks)
+    Section::new(translator.text("report-formulas"), blocks)
 }

@@ -1,4 +1,4 @@
-//! A page without a format: headings, words, tables, figures and equations in order.
+//! A page without a format: headings, sentences, tables, figures and equations in order.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ use crate::chart::Chart;
 use crate::messages::{Translator, capital};
 use crate::table::Table;
 
-/// A document to read: what it says, not how it looks.
+/// A document to read: its content, not its layout.
 ///
 /// [`Page::html`] and [`Page::markdown`] give it a form. Texts are plain: whatever they contain is
 /// shown as it is, markup too.
@@ -19,11 +19,11 @@ pub struct Page {
     pub title: String,
     /// One line below it: what made the page, and of what.
     pub subtitle: String,
-    /// What stands first: the answer in words.
+    /// The beginning: the answer in sentences.
     pub lead: Vec<Block>,
-    /// What everybody may want to see.
+    /// What most readers want to see.
     pub sections: Vec<Section>,
-    /// What only some want to see: folded, and then not on paper.
+    /// What some readers want to see: folded, and then not on paper.
     pub details: Vec<Section>,
     /// Whether the details are unfolded from the start, so that paper has them too.
     pub unfolded: bool,
@@ -31,16 +31,16 @@ pub struct Page {
     pub language: Language,
 }
 
-/// A language, and the words that stand on a page because of its form.
+/// A language, and the words that the form of a page adds.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Language {
     /// Its code, as in "en" or "de-AT".
     pub code: String,
-    /// What stands before something to be careful with.
+    /// The word before a warning.
     pub note: String,
-    /// What stands before the number of a figure.
+    /// The word before the number of a figure.
     pub figure: String,
-    /// What stands over the details.
+    /// The heading of the details.
     pub details: String,
 }
 
@@ -62,7 +62,7 @@ impl Language {
 pub struct Section {
     /// The heading.
     pub heading: String,
-    /// What stands under it.
+    /// Its content.
     pub blocks: Vec<Block>,
     /// Sections within it.
     pub parts: Vec<Section>,
@@ -78,7 +78,7 @@ impl Section {
         }
     }
 
-    /// Whether it says nothing but its heading.
+    /// Whether it has nothing but its heading.
     pub fn is_empty(&self) -> bool {
         self.blocks.is_empty() && self.parts.is_empty()
     }
@@ -95,7 +95,7 @@ pub enum Block {
     Text(String),
     /// Something to be careful with.
     Note(String),
-    /// Things of the same kind, in words.
+    /// A list of sentences.
     List(Vec<String>),
     /// Names and values.
     Facts(Vec<(String, String)>),
@@ -110,7 +110,7 @@ pub enum Block {
     Figure {
         /// Lower-case letters, digits and hyphens; made unique where the same name comes again.
         name: String,
-        /// The chart, whose caption stands under it.
+        /// The chart, with its caption below it.
         chart: Box<Chart>,
     },
     /// A formula on a line of its own.

@@ -5,124 +5,130 @@ use bouncelab::analysis::Drop;
 
 use super::conditions::{conditions, priors};
 use super::drop::{drop, drop_details, in_words};
+use super::input::{Provenance, ReportInput};
 use super::method::{method, method_in_short};
 use super::page::{Block, Language, Page, Section, ended, sentence};
-use super::subject::{Provenance, Recording};
 use crate::figure::{self, Mark};
 use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
 use crate::table::{Align, Table};
 
-/// So many drops have sections of their own: a page of a thousand would take 600 MB, and a reader days.
-const MOST_DROPS: usize = 100;
+/// Drops with sections of their own: a page of a thousand would take 600 MB.
+const MAX_DROPS: usize = 100;
 
-/// The page of a recording: each drop in words, numbers and figures, what was assumed, the method, and
+/// The page of a recording: each drop in sentences, numbers and figures, the assumptions, the method, and
 /// how to repeat it; all else in its details, which are folded.
-pub fn of_recording(recording: &Recording, provenance: &Provenance, words: &Translator) -> Page {
-    let drops = &recording.result.drops;
-    let settings = &recording.setup.options;
+pub fn of_recording(input: &ReportInput, provenance: &Provenance, translator: &Translator) -> Page {
+    let drops = &input.result.drops;
+    let settings = &input.setup.options;
     let (mut sections, mut details) = (Vec::new(), Vec::new());
     if let [only] = drops.as_slice() {
-        // The page begins with the words already.
+        // The page begins with the sentences already.
         sections.push(drop(
-            &words.text("report-drop"),
+            &translator.text("report-drop"),
             only,
             settings,
             false,
-            words,
+            translator,
         ));
-        details.extend(drop_details(only, settings, words));
+        details.extend(drop_details(only, settings, translator));
     } else {
-        for (found, number) in drops.iter().take(MOST_DROPS).zip(1_usize..) {
+        for (one, number) in drops.iter().take(MAX_DROPS).zip(1_usize..) {
             let of = [("number", number.into()), ("count", drops.len().into())];
-            let heading = words.text_with("report-drop-of", &of);
-            sections.push(drop(&heading, found, settings, true, words));
+            let heading = translator.text_with("report-drop-of", &of);
+            sections.push(drop(&heading, one, settings, true, translator));
             details.push(Section {
                 heading,
                 blocks: Vec::new(),
-                parts: drop_details(found, settings, words),
+                parts: drop_details(one, settings, translator),
             });
         }
     }
     sections.extend([
-        conditions(recording, words),
-        method_in_short(words),
-        repeat(provenance, words),
+        conditions(input, translator),
+        method_in_short(translator),
+        repeat(provenance, translator),
     ]);
     details.extend([
-        priors(settings, words),
-        air(recording, words),
-        method(words),
+        priors(settings, translator),
+        air(input, translator),
+        method(translator),
     ]);
     details.retain(|section| !section.is_empty());
     Page {
-        title: file_name(recording.name),
-        subtitle: made_by(provenance, words),
-        lead: lead(recording, words),
+        title: file_name(input.name),
+        subtitle: made_by(provenance, translator),
+        lead: lead(input, translator),
         sections,
         details,
         unfolded: false,
-        language: Language::new(words),
+        language: Language::new(translator),
     }
 }
 
-/// The name without its folder, which says nothing of the recording.
+/// The name without its folder, which does not describe the recording.
 fn file_name(name: &str) -> String {
     let own = name.rsplit(['/', '\\']).find(|part| !part.is_empty());
     own.unwrap_or(name).to_owned()
 }
 
 /// Which program made a page, and when.
-pub fn made_by(provenance: &Provenance, words: &Translator) -> String {
+pub fn made_by(provenance: &Provenance, translator: &Translator) -> String {
     let version = ("version", env!("CARGO_PKG_VERSION").into());
     match &provenance.made {
-        Some(made) => words.text_with("report-made-on", &[version, ("date", made.as_str().into())]),
-        None => words.text_with("report-made-by", &[version]),
+        Some(made) => {
+            translator.text_with("report-made-on", &[version, ("date", made.as_str().into())])
+        }
+        None => translator.text_with("report-made-by", &[version]),
     }
 }
 
-fn lead(recording: &Recording, words: &Translator) -> Vec<Block> {
+fn lead(input: &ReportInput, translator: &Translator) -> Vec<Block> {
     let mut lead = Vec::new();
-    match recording.result.drops.as_slice() {
+    match input.result.drops.as_slice() {
         [] => {
-            let reason = recording.result.no_drop.as_ref().map_or_else(
-                || words.text("report-no-reason"),
-                |known| ended(words.diagnostic(known)),
+            let reason = input.result.no_drop.as_ref().map_or_else(
+                || translator.text("report-no-reason"),
+                |known| ended(translator.diagnostic(known)),
             );
             let reason = [("reason", reason.into())];
-            lead.push(Block::Lead(words.text_with("report-no-drop", &reason)));
+            lead.push(Block::Lead(translator.text_with("report-no-drop", &reason)));
         }
-        [only] => lead.extend(in_words(only, words)),
+        [only] => lead.extend(in_words(only, translator)),
         several => {
             let impacts: usize = several.iter().map(|drop| drop.impacts.len()).sum();
             let counts = [("drops", several.len().into()), ("impacts", impacts.into())];
-            lead.push(Block::Lead(words.text_with("report-drops-found", &counts)));
-            lead.push(Block::table(
-                words.text("report-drops"),
-                overview(several, words),
+            lead.push(Block::Lead(
+                translator.text_with("report-drops-found", &counts),
             ));
-            if several.len() > MOST_DROPS {
-                let shown = [("count", MOST_DROPS.into())];
-                lead.push(Block::Note(words.text_with("report-first-drops", &shown)));
+            lead.push(Block::table(
+                translator.text("report-drops"),
+                overview(several, translator),
+            ));
+            if several.len() > MAX_DROPS {
+                let shown = [("count", MAX_DROPS.into())];
+                lead.push(Block::Note(
+                    translator.text_with("report-first-drops", &shown),
+                ));
             }
         }
     }
-    let notes = recording.result.diagnostics.iter();
-    lead.extend(notes.map(|known| Block::Note(sentence(&words.diagnostic(known)))));
-    if let Some(sound) = &recording.result.envelope {
-        let marks = Mark::of_drops(&recording.result.drops);
+    let notes = input.result.diagnostics.iter();
+    lead.extend(notes.map(|known| Block::Note(sentence(&translator.diagnostic(known)))));
+    if let Some(sound) = &input.result.envelope {
+        let marks = Mark::of_drops(&input.result.drops);
         lead.push(Block::figure(
             "waveform",
-            figure::waveform(sound, &marks, words),
+            figure::waveform(sound, &marks, translator),
         ));
     }
     lead
 }
 
 /// One line for each drop.
-fn overview(drops: &[Drop], words: &Translator) -> Table {
+fn overview(drops: &[Drop], translator: &Translator) -> Table {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("column-drop", Align::Right),
             ("column-start", Align::Right),
@@ -132,43 +138,43 @@ fn overview(drops: &[Drop], words: &Translator) -> Table {
         ],
     );
     for (drop, number) in drops.iter().zip(1..) {
-        let found = drop.posterior.as_ref().ok();
+        let posterior = drop.posterior.as_ref().ok();
         let shown = |summary: Option<&Estimate>, unit| match summary {
-            Some(summary) => Quantity::of(summary, unit).text(words),
-            None => words.text("unit-cannot-tell"),
+            Some(summary) => Quantity::of(summary, unit).text(translator),
+            None => translator.text("unit-cannot-tell"),
         };
         let start = drop.impacts.first();
         table.row([
             number.to_string(),
-            start.map_or_else(String::new, |first| words.fixed(first.time_s, 2)),
+            start.map_or_else(String::new, |first| translator.fixed(first.time_s, 2)),
             drop.impacts.len().to_string(),
-            shown(found.map(|f| &f.restitution), Unit::Number),
-            shown(found.map(|f| &f.drop_height_m), Unit::Length),
+            shown(posterior.map(|it| &it.restitution), Unit::Number),
+            shown(posterior.map(|it| &it.drop_height_m), Unit::Length),
         ]);
     }
     table
 }
 
-fn air(recording: &Recording, words: &Translator) -> Section {
-    let figures = figure::of_air(&recording.result.drops, &recording.setup.options, words);
+fn air(input: &ReportInput, translator: &Translator) -> Section {
+    let figures = figure::of_air(&input.result.drops, &input.setup.options, translator);
     let blocks = figures
         .into_iter()
         .map(|(name, chart)| Block::figure(name, chart))
         .collect();
-    Section::new(words.text("report-air"), blocks)
+    Section::new(translator.text("report-air"), blocks)
 }
 
 /// How to get the same page again: version, command, and the hash of each file.
-pub fn repeat(provenance: &Provenance, words: &Translator) -> Section {
+pub fn repeat(provenance: &Provenance, translator: &Translator) -> Section {
     let version = [("version", env!("CARGO_PKG_VERSION").into())];
     let mut blocks = vec![Block::text(
-        words.text_with("report-repeat-version", &version),
+        translator.text_with("report-repeat-version", &version),
     )];
     if let Some(command) = &provenance.command {
         blocks.push(Block::Code(command.clone()));
     }
     if !provenance.files.is_empty() {
-        blocks.push(Block::text(words.text("report-repeat-files")));
+        blocks.push(Block::text(translator.text("report-repeat-files")));
         let lines: Vec<String> = provenance
             .files
             .iter()
@@ -176,5 +182,5 @@ pub fn repeat(provenance: &Provenance, words: &Translator) -> Section {
             .collect();
         blocks.push(Block::Code(lines.join("\n")));
     }
-    Section::new(words.text("report-repeat"), blocks)
+    Section::new(translator.text("report-repeat"), blocks)
 }

@@ -41,7 +41,7 @@ use crate::units;
 pub const SCHEMA: &str = "bouncelab.rules/1";
 
 /// No file of TOML is longer: in memory it takes many times as much.
-pub const MOST_MB: u64 = 2;
+pub const MAX_MB: u64 = 2;
 
 /// The built-in files.
 const BUILT_IN: [(&str, &str); 5] = [
@@ -78,7 +78,7 @@ pub fn all(files: &[PathBuf]) -> Result<Vec<Rule>> {
     let mut all = built_in()?;
     for path in files {
         let file = String::from(bouncelab::Plain::path(path));
-        let bytes = crate::file::read_noted(path, MOST_MB);
+        let bytes = crate::file::read_noted(path, MAX_MB);
         let text = bytes.and_then(|bytes| String::from_utf8(bytes).map_err(std::io::Error::other));
         let text = text.map_err(|source| Error::Unreadable {
             file: file.clone(),
@@ -99,7 +99,7 @@ pub fn all(files: &[PathBuf]) -> Result<Vec<Rule>> {
 /// [`Error::Rules`] with line and column for what is no TOML, no rule, or no sense.
 pub fn read(text: &str, file: &str) -> Result<Vec<Rule>> {
     let wrong = |span: Option<Range<usize>>, problem: String| {
-        let (line, column) = place(text, span.map_or(0, |span| span.start));
+        let (line, column) = line_and_column(text, span.map_or(0, |span| span.start));
         Error::Rules {
             file: file.to_owned(),
             line,
@@ -135,7 +135,7 @@ pub fn read(text: &str, file: &str) -> Result<Vec<Rule>> {
 }
 
 /// Line and column of a byte, both from 1.
-fn place(text: &str, byte: usize) -> (usize, usize) {
+fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     let before = text.get(..byte).unwrap_or(text);
     let line_start = before.rfind('\n').map_or(0, |end| end + 1);
     let line = before.matches('\n').count() + 1;

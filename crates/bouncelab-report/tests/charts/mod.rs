@@ -7,8 +7,8 @@ use bouncelab::demo;
 use bouncelab::detection::Envelope;
 use bouncelab_report::Chart;
 use bouncelab_report::figure::{
-    self, Curve, Detection, DragAxes, GroupCurve, GroupInterval, GroupPoint, Judged, Line, Mark,
-    RankHistogram, RunPoint, Subject, TimedFlight,
+    self, Curve, Detection, DragAxes, EvaluatedValue, FigureInput, GroupCurve, GroupInterval,
+    GroupPoint, Line, Mark, RankHistogram, RunPoint, TimedFlight,
 };
 use bouncelab_report::messages::Translator;
 use bouncelab_report::theme::Meaning;
@@ -88,8 +88,8 @@ fn of_drops(translator: &Translator) -> Vec<Named> {
     let mut all = Vec::new();
     for (settings, suffix) in [(&full, ""), (&quick, "-quick")] {
         let drop = drop_of(settings);
-        let subject = Subject::new(&drop, settings);
-        let charts = figure::of_drop(&subject).map(|f| (f.name, f.chart(&subject, translator)));
+        let input = FigureInput::new(&drop, settings);
+        let charts = figure::of_drop(&input).map(|f| (f.name, f.chart(&input, translator)));
         let air = figure::of_air(std::slice::from_ref(&drop), settings, translator);
         for (name, chart) in charts.chain(air) {
             all.push((format!("{name}{suffix}"), chart, texts(name)));
@@ -393,20 +393,20 @@ fn group_curves(groups: u32) -> Vec<GroupCurve> {
 }
 
 fn limits(drops: u32, translator: &Translator) -> Chart {
-    let judged = |drop: u32| {
+    let evaluated = |drop: u32| {
         let value = 24.5 + 0.3 * f64::from(drop);
-        Judged {
+        EvaluatedValue {
             name: format!("drop {drop}"),
             value,
             interval95: Some([value - 0.4, value + 0.4]),
             decides: drop == 0,
         }
     };
-    let judged: Vec<Judged> = (0..drops).map(judged).collect();
+    let evaluated: Vec<EvaluatedValue> = (0..drops).map(evaluated).collect();
     let ends = [Some(24.0), Some(26.0)];
     let accepted = [Some(24.2), Some(25.8)];
     figure::limits(
-        &judged,
+        &evaluated,
         ends,
         accepted,
         ("rebound".to_owned(), "cm"),

@@ -6,11 +6,11 @@ mod words;
 use bouncelab::rulebook::Status;
 
 use super::conditions::{priors, shared_conditions};
+use super::input::Provenance;
 use super::method::method;
 use super::page::{Block, Language, Page, Section, ended};
 use super::recording::{made_by, repeat};
-use super::subject::Provenance;
-use crate::document::verdict::Judgement;
+use crate::document::verdict::Evaluation;
 use crate::figure;
 use crate::messages::{Translator, capital};
 use crate::rules;
@@ -20,84 +20,92 @@ pub use words::{because, by_rule, outcome, outcome_name};
 
 /// The page of a verdict: what was decided, the rule, the rebound in several ways, each drop, what was
 /// assumed, the method, and how to repeat it.
-pub fn of_verdict(judgement: &Judgement<'_>, provenance: &Provenance, words: &Translator) -> Page {
-    let title = words.with_colon(&rules::words::title(judgement.rule, words));
-    let outcome = words::outcome_name(judgement.verdict.outcome, words);
+pub fn of_verdict(
+    evaluation: &Evaluation<'_>,
+    provenance: &Provenance,
+    translator: &Translator,
+) -> Page {
+    let title = translator.with_colon(&rules::words::title(evaluation.rule, translator));
+    let outcome = words::outcome_name(evaluation.verdict.outcome, translator);
     Page {
         title: format!("{title} {outcome}"),
-        subtitle: made_by(provenance, words),
-        lead: lead(judgement, words),
+        subtitle: made_by(provenance, translator),
+        lead: lead(evaluation, translator),
         sections: vec![
-            the_rule(judgement, words),
-            rebound(judgement, words),
-            drops(judgement, words),
-            shared_conditions(judgement.setup, words),
-            priors(&judgement.setup.options, words),
-            decision(words),
-            method(words),
-            repeat(provenance, words),
+            the_rule(evaluation, translator),
+            rebound(evaluation, translator),
+            drops(evaluation, translator),
+            shared_conditions(evaluation.setup, translator),
+            priors(&evaluation.setup.options, translator),
+            decision(translator),
+            method(translator),
+            repeat(provenance, translator),
         ],
         details: Vec::new(),
         unfolded: false,
-        language: Language::new(words),
+        language: Language::new(translator),
     }
 }
 
-fn lead(judgement: &Judgement<'_>, words: &Translator) -> Vec<Block> {
-    let verdict = judgement.verdict;
-    let mut lead = vec![Block::Lead(words::outcome(verdict, words))];
+fn lead(evaluation: &Evaluation<'_>, translator: &Translator) -> Vec<Block> {
+    let verdict = evaluation.verdict;
+    let mut lead = vec![Block::Lead(words::outcome(verdict, translator))];
     lead.push(Block::text(
-        words::by_rule(verdict, judgement.decision, words).join(" "),
+        words::by_rule(verdict, evaluation.decision, translator).join(" "),
     ));
-    lead.extend(words::because(verdict, words).map(Block::Note));
-    if judgement.rule.status == Status::Unverified {
-        lead.push(Block::Note(words.text("rule-nobody-read")));
+    lead.extend(words::because(verdict, translator).map(Block::Note));
+    if evaluation.rule.status == Status::Unverified {
+        lead.push(Block::Note(translator.text("rule-nobody-read")));
     }
-    let chart = figure::verdict(judgement.rule, verdict, judgement.files, words);
+    let chart = figure::verdict(evaluation.rule, verdict, evaluation.files, translator);
     lead.push(Block::figure("verdict", chart));
     lead
 }
 
-fn the_rule(judgement: &Judgement<'_>, words: &Translator) -> Section {
-    let name = (words.text("rule-name"), judgement.rule.name.clone());
-    let facts = std::iter::once(name).chain(rules::words::facts(judgement.rule, words));
+fn the_rule(evaluation: &Evaluation<'_>, translator: &Translator) -> Section {
+    let name = (translator.text("rule-name"), evaluation.rule.name.clone());
+    let facts = std::iter::once(name).chain(rules::words::facts(evaluation.rule, translator));
     let facts = facts.map(|(name, value)| (capital(&name), value));
     Section::new(
-        words.text("verdict-the-rule"),
+        translator.text("verdict-the-rule"),
         vec![Block::Facts(facts.collect())],
     )
 }
 
-fn rebound(judgement: &Judgement<'_>, words: &Translator) -> Section {
-    let ways = tables::ways(judgement.verdict, words);
-    let mut blocks = vec![Block::table(words.text("verdict-ways"), ways)];
-    if let Some(steps) = tables::differences(judgement.verdict, words) {
-        blocks.push(Block::table(words.text("verdict-steps"), steps));
-        blocks.push(Block::text(words.text("verdict-steps-why")));
+fn rebound(evaluation: &Evaluation<'_>, translator: &Translator) -> Section {
+    let ways = tables::ways(evaluation.verdict, translator);
+    let mut blocks = vec![Block::table(translator.text("verdict-ways"), ways)];
+    if let Some(steps) = tables::differences(evaluation.verdict, translator) {
+        blocks.push(Block::table(translator.text("verdict-steps"), steps));
+        blocks.push(Block::text(translator.text("verdict-steps-why")));
     }
-    let remarks = judgement.verdict.remarks.iter();
-    let remarks = remarks.map(|remark| words.diagnostic(&remark.diagnostic()));
-    let notes = remarks.chain(rules::words::note(judgement.rule, words));
+    let remarks = evaluation.verdict.remarks.iter();
+    let remarks = remarks.map(|remark| translator.diagnostic(&remark.diagnostic()));
+    let notes = remarks.chain(rules::words::note(evaluation.rule, translator));
     blocks.extend(notes.map(|note| Block::Note(ended(note))));
-    Section::new(words.text("verdict-the-rebound"), blocks)
+    Section::new(translator.text("verdict-the-rebound"), blocks)
 }
 
-fn drops(judgement: &Judgement<'_>, words: &Translator) -> Section {
-    let verdict = judgement.verdict;
-    let drops = tables::drops(&verdict.drops, judgement.files, words);
-    let mut blocks = vec![Block::table(words.text("verdict-every-drop"), drops)];
+fn drops(evaluation: &Evaluation<'_>, translator: &Translator) -> Section {
+    let verdict = evaluation.verdict;
+    let drops = tables::drops(&verdict.drops, evaluation.files, translator);
+    let mut blocks = vec![Block::table(translator.text("verdict-every-drop"), drops)];
     if !verdict.reference_drops.is_empty() {
-        let drops = tables::drops(&verdict.reference_drops, judgement.reference_files, words);
+        let drops = tables::drops(
+            &verdict.reference_drops,
+            evaluation.reference_files,
+            translator,
+        );
         blocks.push(Block::table(
-            words.text("verdict-every-reference-drop"),
+            translator.text("verdict-every-reference-drop"),
             drops,
         ));
     }
-    Section::new(words.text("verdict-drops"), blocks)
+    Section::new(translator.text("verdict-drops"), blocks)
 }
 
-fn decision(words: &Translator) -> Section {
+fn decision(translator: &Translator) -> Section {
     let ids = ["verdict-method-predicted", "verdict-method-decided"];
-    let blocks = ids.map(|id| Block::text(words.text(id)));
-    Section::new(words.text("verdict-method"), blocks.into())
+    let blocks = ids.map(|id| Block::text(translator.text(id)));
+    Section::new(translator.text("verdict-method"), blocks.into())
 }

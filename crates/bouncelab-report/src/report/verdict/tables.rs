@@ -6,10 +6,10 @@ use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
 use crate::table::{Align, Table};
 
-/// The rebound by each way to work it out.
-pub fn ways(verdict: &Verdict, words: &Translator) -> Table {
+/// The rebound by each method.
+pub fn ways(verdict: &Verdict, translator: &Translator) -> Table {
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("verdict-rebound", Align::Left),
             ("verdict-value", Align::Right),
@@ -25,8 +25,8 @@ pub fn ways(verdict: &Verdict, words: &Translator) -> Table {
     for (id, estimate, unit) in estimated {
         if let Some(estimate) = estimate {
             let value = Quantity::of(estimate, unit);
-            let interval = value.interval_text(estimate.interval95, words);
-            table.row([words.text(id), value.text(words), interval]);
+            let interval = value.interval_text(estimate.interval95, translator);
+            table.row([translator.text(id), value.text(translator), interval]);
         }
     }
     let plain = [
@@ -35,32 +35,32 @@ pub fn ways(verdict: &Verdict, words: &Translator) -> Table {
     ];
     for (id, height_m) in plain {
         if let Some(height_m) = height_m {
-            table.row([words.text(id), length(height_m, words)]);
+            table.row([translator.text(id), length(height_m, translator)]);
         }
     }
     if table.is_empty() {
-        table.row([String::new(), words.text("unit-cannot-tell")]);
+        table.row([String::new(), translator.text("unit-cannot-tell")]);
     }
     table
 }
 
 /// What lies between the plain height and the predicted one, if every drop says so.
-pub fn differences(verdict: &Verdict, words: &Translator) -> Option<Table> {
+pub fn differences(verdict: &Verdict, translator: &Translator) -> Option<Table> {
     let drops = &verdict.drops;
     let first = drops.first()?;
     if drops.iter().any(|drop| drop.steps.is_empty()) {
         return None;
     }
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("verdict-reason", Align::Left),
             ("verdict-centimetres", Align::Right),
         ],
     );
     let count = drops.len() as f64;
-    for (place, step) in first.steps.iter().enumerate() {
-        let of_drop = |drop: &Rebound| drop.steps.get(place).map_or(0.0, |s: &Step| s.height_m);
+    for (index, step) in first.steps.iter().enumerate() {
+        let of_drop = |drop: &Rebound| drop.steps.get(index).map_or(0.0, |s: &Step| s.height_m);
         let mean_m = drops.iter().map(of_drop).sum::<f64>() / count;
         let why = match step.why {
             Correction::Contact => "verdict-step-contact",
@@ -68,21 +68,21 @@ pub fn differences(verdict: &Verdict, words: &Translator) -> Option<Table> {
             Correction::Drag => "verdict-step-drag",
             _ => "verdict-step-this-drop",
         };
-        table.row([words.text(why), signed(mean_m * 100.0, words)]);
+        table.row([translator.text(why), signed(mean_m * 100.0, translator)]);
     }
     Some(table)
 }
 
 /// With its sign, but for zero.
-fn signed(value: f64, words: &Translator) -> String {
+fn signed(value: f64, translator: &Translator) -> String {
     match format!("{value:+.2}").as_str() {
-        "-0.00" | "+0.00" => words.fixed(0.0, 2),
-        number => words.number(&number.replace('-', "\u{2212}")),
+        "-0.00" | "+0.00" => translator.fixed(0.0, 2),
+        number => translator.number(&number.replace('-', "\u{2212}")),
     }
 }
 
-/// What each drop says.
-pub fn drops(drops: &[Rebound], files: &[String], words: &Translator) -> Table {
+/// The result of each drop.
+pub fn drops(drops: &[Rebound], files: &[String], translator: &Translator) -> Table {
     let with_formula = drops.iter().any(|drop| drop.formula_m.is_some());
     let mut columns = vec![
         ("verdict-file", Align::Left),
@@ -93,29 +93,29 @@ pub fn drops(drops: &[Rebound], files: &[String], words: &Translator) -> Table {
         columns.push(("verdict-formula-short", Align::Right));
     }
     columns.push(("verdict-predicted", Align::Right));
-    let mut table = Table::with_headings(words, columns);
+    let mut table = Table::with_headings(translator, columns);
     for drop in drops {
         let shown = |height: Option<f64>| {
-            height.map_or_else(String::new, |height_m| length(height_m, words))
+            height.map_or_else(String::new, |height_m| length(height_m, translator))
         };
         let mut row = vec![
             files.get(drop.place).cloned().unwrap_or_default(),
             drop.first_flight_s
-                .map_or_else(String::new, |time_s| words.fixed(time_s, 4)),
+                .map_or_else(String::new, |time_s| translator.fixed(time_s, 4)),
             shown(drop.plain_m),
         ];
         if with_formula {
             row.push(shown(drop.formula_m));
         }
         row.push(drop.predicted_m.map_or_else(
-            || words.text("unit-cannot-tell"),
-            |found| Quantity::of(&found, Unit::Length).text(words),
+            || translator.text("unit-cannot-tell"),
+            |height| Quantity::of(&height, Unit::Length).text(translator),
         ));
         table.row(row);
     }
     table
 }
 
-fn length(metres: f64, words: &Translator) -> String {
-    Quantity::rounded(metres, 4, Unit::Length).text(words)
+fn length(metres: f64, translator: &Translator) -> String {
+    Quantity::rounded(metres, 4, Unit::Length).text(translator)
 }

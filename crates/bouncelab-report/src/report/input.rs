@@ -1,15 +1,15 @@
-//! The subject of a page, and its source.
+//! The input of a report.
 
 use bouncelab::setup::Setup;
 
-/// A recording, or a list of times, and what it says.
+/// A recording, or a list of times, with its settings and result.
 #[derive(Debug, Clone, Copy)]
-pub struct Recording<'a> {
-    /// Its name, as the person gave it.
+pub struct ReportInput<'a> {
+    /// Its name, as it was given.
     pub name: &'a str,
-    /// What was known or assumed.
+    /// The settings, given or assumed.
     pub setup: &'a Setup,
-    /// What it says.
+    /// The result of its analysis.
     pub result: &'a bouncelab::Recording,
 }
 
@@ -20,6 +20,6 @@ pub struct Provenance {
     pub command: Option<String>,
     /// Name and SHA-256 (in hexadecimal) of each file that was read.
     pub files: Vec<(String, String)>,
-    /// When the page was made, as it shall be shown.
+    /// When the page was made, as it is shown.
     pub made: Option<String>,
 }
