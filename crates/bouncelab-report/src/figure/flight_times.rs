@@ -58,7 +58,6 @@ pub(super) fn of_drop(input: &FigureInput<'_>, translator: &Translator) -> Chart
 /// fitted to are open circles; those far off the line are arrow heads at the edge of the
 /// lower panel.
 pub fn flight_times(flights: &[TimedFlight], line: Option<Line>, translator: &Translator) -> Chart {
-    let text = |id: &str| translator.text(&format!("figure-{ID}-{id}"));
     let flights: Vec<TimedFlight> = flights
         .iter()
         .copied()
@@ -68,21 +67,7 @@ pub fn flight_times(flights: &[TimedFlight], line: Option<Line>, translator: &Tr
         return Chart::empty(translator, ID);
     }
     let line = line.filter(|line| line.slope.is_finite() && line.intercept.is_finite());
-    let points = |value: &dyn Fn(&TimedFlight) -> f64| {
-        let of = |used: bool, marker, name: &str| {
-            let flights = flights.iter().filter(|flight| flight.used == used);
-            let points: Vec<Point> = flights
-                .map(|flight| [flight.number as f64, value(flight)])
-                .collect();
-            let some = !points.is_empty();
-            some.then(|| Layer::points(Meaning::Measured, marker, points).named(text(name)))
-        };
-        let all_used = flights.iter().all(|flight| flight.used);
-        let used = of(true, Marker::Dot, if all_used { "all" } else { "used" });
-        let unused = of(false, Marker::Ring, "unused");
-        used.into_iter().chain(unused).collect::<Vec<Layer>>()
-    };
-    let mut times = points(&|flight| flight.time_s);
+    let mut times = points(&flights, translator, &|flight| flight.time_s);
     let x = Axis::new(
         translator.text("axis-flight"),
         "",
@@ -101,8 +86,9 @@ pub fn flight_times(flights: &[TimedFlight], line: Option<Line>, translator: &Tr
     let ratio = Quantity::rounded(10_f64.powf(line.slope), 4, Unit::Number);
     let name = translator.text_with("figure-flight-times-line", &[("ratio", ratio.into())]);
     times.splice(0..0, curves(line, &flights, &x.scale, &name));
-    let off_line =
-        points(&|flight| 100.0 * flight.time_s / line.time_s(flight.number as f64) - 100.0);
+    let off_line = points(&flights, translator, &|flight| {
+        100.0 * flight.time_s / line.time_s(flight.number as f64) - 100.0
+    });
     let scale = off_line_scale(&off_line, &flights);
     let zero = std::iter::once(Layer::level(Meaning::Plain, 0.0));
     let below = Panel::new(
@@ -119,6 +105,26 @@ pub fn flight_times(flights: &[TimedFlight], line: Option<Line>, translator: &Tr
         vec![Panel::new(190.0, x, y, times)],
     )
     .with_below(below)
+}
+
+/// A value of each flight against its number: dots for those in the fit, rings for the others.
+fn points(
+    flights: &[TimedFlight],
+    translator: &Translator,
+    value: &dyn Fn(&TimedFlight) -> f64,
+) -> Vec<Layer> {
+    let of = |used: bool, marker, name: &str| {
+        let flights = flights.iter().filter(|flight| flight.used == used);
+        let points: Vec<Point> = flights
+            .map(|flight| [flight.number as f64, value(flight)])
+            .collect();
+        let name = translator.text(&format!("figure-{ID}-{name}"));
+        (!points.is_empty()).then(|| Layer::points(Meaning::Measured, marker, points).named(name))
+    };
+    let all_used = flights.iter().all(|flight| flight.used);
+    let used = of(true, Marker::Dot, if all_used { "all" } else { "used" });
+    let unused = of(false, Marker::Ring, "unused");
+    used.into_iter().chain(unused).collect()
 }
 
 /// Solid over the flights it was fitted to, dashed beyond.

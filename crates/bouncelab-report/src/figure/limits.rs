@@ -44,45 +44,17 @@ pub fn limits(
     if rows == 0 {
         return Chart::empty(translator, "limits");
     }
-    let mut layers = Vec::new();
-    for limit in limits.into_iter().flatten() {
+    let lines = limits.into_iter().flatten().map(|limit| {
         let line = vec![[limit, 0.0], [limit, rows as f64]];
-        layers.push(Layer::line(Meaning::Accepted, line).with_width(1.5));
-    }
-    for (decides, meaning, width) in [(true, Meaning::Measured, 8.0), (false, Meaning::Soft, 4.0)] {
-        let (mut intervals, mut values) = (Vec::new(), Vec::new());
-        for (row, evaluated) in usable.iter().enumerate() {
-            if evaluated.decides == decides {
-                let middle = row_middle(rows, row);
-                if let Some([low, high]) = evaluated.interval95 {
-                    intervals.extend([[low, middle], [high, middle], [f64::NAN; 2]]);
-                }
-                values.push([evaluated.value, middle]);
-            }
-        }
-        let name = if intervals.is_empty() {
-            String::new()
-        } else {
-            text("interval")
-        };
-        let intervals = Layer::line(meaning, intervals).with_width(width).pale(0.45);
-        layers.push(intervals.named(name));
-        layers.push(Layer::points(meaning, Marker::Dot, values));
-    }
+        Layer::line(Meaning::Accepted, line).with_width(1.5)
+    });
+    let mut layers: Vec<Layer> = lines.collect();
+    layers.extend(values(&usable, true, translator));
+    layers.extend(values(&usable, false, translator));
     let scale = Scale::linear(xs(&layers)).padded(0.08, 0.08);
-    let shade = |[least, greatest]: [Option<f64>; 2], name: &str, strength: f64| {
-        let ends = [least.unwrap_or(-ENDLESS), greatest.unwrap_or(ENDLESS)];
-        let some = least.is_some() || greatest.is_some();
-        let boxes = vec![[ends[0], ends[1], 0.0, rows as f64]];
-        some.then(|| {
-            Layer::boxes(Meaning::Accepted, boxes)
-                .pale(strength)
-                .named(text(name))
-        })
-    };
     let shades = [
-        shade(limits, "within", 0.12),
-        shade(accepted, "accepted", 0.25),
+        shade(limits, rows, 0.12, text("within")),
+        shade(accepted, rows, 0.25, text("accepted")),
     ];
     let names = usable
         .iter()
@@ -92,6 +64,52 @@ pub fn limits(
     let layers = shades.into_iter().flatten().chain(layers).collect();
     let panel = Panel::new(ROW * rows as f64, x, y, layers);
     Chart::new(translator, "limits", text("caption"), vec![panel])
+}
+
+/// The values that decide, or those that lead to them, with their intervals: each in its row.
+fn values(usable: &[&EvaluatedValue], decides: bool, translator: &Translator) -> [Layer; 2] {
+    let (meaning, width) = if decides {
+        (Meaning::Measured, 8.0)
+    } else {
+        (Meaning::Soft, 4.0)
+    };
+    let (mut intervals, mut values) = (Vec::new(), Vec::new());
+    for (row, evaluated) in usable.iter().enumerate() {
+        if evaluated.decides == decides {
+            let middle = row_middle(usable.len(), row);
+            if let Some([low, high]) = evaluated.interval95 {
+                intervals.extend([[low, middle], [high, middle], [f64::NAN; 2]]);
+            }
+            values.push([evaluated.value, middle]);
+        }
+    }
+    let name = if intervals.is_empty() {
+        String::new()
+    } else {
+        translator.text("figure-limits-interval")
+    };
+    let intervals = Layer::line(meaning, intervals).with_width(width).pale(0.45);
+    [
+        intervals.named(name),
+        Layer::points(meaning, Marker::Dot, values),
+    ]
+}
+
+/// The range between two ends over all rows; nothing without an end.
+fn shade(
+    [least, greatest]: [Option<f64>; 2],
+    rows: usize,
+    strength: f64,
+    name: String,
+) -> Option<Layer> {
+    let ends = [least.unwrap_or(-ENDLESS), greatest.unwrap_or(ENDLESS)];
+    let some = least.is_some() || greatest.is_some();
+    let boxes = vec![[ends[0], ends[1], 0.0, rows as f64]];
+    some.then(|| {
+        Layer::boxes(Meaning::Accepted, boxes)
+            .pale(strength)
+            .named(name)
+    })
 }
 
 /// What a verdict is about, and every drop that led to it, against the limits of the rule. `files` names

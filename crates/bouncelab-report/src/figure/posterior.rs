@@ -1,5 +1,7 @@
 //! The joint posterior of several quantities.
 
+use std::borrow::Cow;
+
 use bouncelab::inference::Posterior;
 
 use crate::chart::{Axis, Chart, Dashes, Layer, Panel, Point, Scale, Ticks};
@@ -20,7 +22,7 @@ const SIDE: f64 = 540.0;
 struct Parameter<'a> {
     axis: Axis,
     /// Equally likely values in the unit of the axis; those of the same index belong together.
-    values: std::borrow::Cow<'a, [f64]>,
+    values: Cow<'a, [f64]>,
     /// The prior, as mean and standard deviation of a normal distribution.
     prior: Option<(f64, f64)>,
 }
@@ -29,73 +31,79 @@ struct Parameter<'a> {
 /// with the prior as a grey curve, and below it each pair: the regions that hold 68 and
 /// 95 %.
 pub(super) fn posterior(posterior: &Posterior, translator: &Translator) -> Chart {
-    let parameter = |id: &str, unit, values: std::borrow::Cow<'static, [f64]>, prior| {
-        let axis = Axis::new(translator.text(id), unit, scale(&values));
-        Parameter {
-            axis,
-            values,
-            prior,
-        }
+    let mut parameters = parameters(posterior, translator);
+    parameters.retain(|parameter| varies(&parameter.values));
+    let count = parameters.len();
+    if count == 0 {
+        return Chart::empty(translator, "posterior");
+    }
+    let panels = (0..count).flat_map(|row| {
+        let columns = 0..=row;
+        columns.map(move |column| (row, column))
+    });
+    let panels = panels.map(|(row, column)| panel(&parameters, row, column, translator));
+    let caption = translator.text("figure-posterior-caption");
+    let mut chart = Chart::new(translator, "posterior", caption, panels.collect());
+    chart.columns = vec![1.0; count];
+    chart
+}
+
+/// The quantities of the figure, in the order of its rows.
+fn parameters<'a>(posterior: &'a Posterior, translator: &Translator) -> Vec<Parameter<'a>> {
+    let parameter = |id: &str, unit, values: Cow<'a, [f64]>, prior| Parameter {
+        axis: Axis::new(translator.text(id), unit, scale(&values)),
+        values,
+        prior,
     };
     let draws = &posterior.draws;
     let height = draws.drop_height_m.iter().map(|height| height * 100.0);
-    let mut parameters = vec![
-        parameter(
-            "axis-restitution-short",
-            "",
-            draws.restitution.clone().into(),
-            None,
-        ),
-        parameter("axis-height", "cm", height.collect(), None),
-    ];
+    let restitution = Cow::from(&draws.restitution);
+    let mut parameters = vec![parameter("axis-restitution-short", "", restitution, None)];
     if posterior.drag_coefficient.is_some() {
-        let prior = posterior
-            .drag_coefficient_prior
-            .map(|prior| (prior.value, prior.sd));
-        let values = draws.drag_coefficient.clone().into();
-        parameters.insert(1, parameter("axis-drag-coefficient", "", values, prior));
+        let prior = posterior.drag_coefficient_prior;
+        let prior = prior.map(|prior| (prior.value, prior.sd));
+        let values = Cow::from(&draws.drag_coefficient);
+        parameters.push(parameter("axis-drag-coefficient", "", values, prior));
     }
-    let parameters: Vec<&Parameter> = parameters.iter().filter(|p| varies(&p.values)).collect();
-    let count = parameters.len();
-    let mut panels = Vec::new();
-    for (row, of_y) in parameters.iter().enumerate() {
-        for (column, of_x) in parameters[..=row].iter().enumerate() {
-            let (y, layers) = if row == column {
-                histogram(of_x, translator)
-            } else {
-                let ticks = if column == 0 {
-                    Ticks::Labelled
-                } else {
-                    Ticks::Grid
-                };
-                let mut y = of_y.axis.clone().with_ticks(ticks);
-                if column > 0 {
-                    y.quantity.clear();
-                }
-                (y, pair(of_x, of_y))
-            };
-            let ticks = if row + 1 == count {
-                Ticks::Labelled
-            } else {
-                Ticks::Grid
-            };
-            let x = of_x.axis.clone().with_ticks(ticks);
-            let height = SIDE / count as f64 - 40.0;
-            let panel = Panel::new(height, x, y, layers);
-            panels.push(Panel {
-                row,
-                column,
-                ..panel
-            });
+    parameters.push(parameter("axis-height", "cm", height.collect(), None));
+    parameters
+}
+
+/// A histogram on the diagonal, the regions of a pair below it.
+fn panel(
+    parameters: &[Parameter<'_>],
+    row: usize,
+    column: usize,
+    translator: &Translator,
+) -> Panel {
+    let (of_x, of_y) = (&parameters[column], &parameters[row]);
+    // Only panels at the left and at the bottom have numbers.
+    let ticks = |is_outer: bool| {
+        if is_outer {
+            Ticks::Labelled
+        } else {
+            Ticks::Grid
         }
+    };
+    let (y, layers) = if row == column {
+        histogram(of_x, translator)
+    } else {
+        let mut y = of_y.axis.clone().with_ticks(ticks(column == 0));
+        if column > 0 {
+            y.quantity.clear();
+        }
+        (y, pair(of_x, of_y))
+    };
+    let x = of_x
+        .axis
+        .clone()
+        .with_ticks(ticks(row + 1 == parameters.len()));
+    let height = SIDE / parameters.len() as f64 - 40.0;
+    Panel {
+        row,
+        column,
+        ..Panel::new(height, x, y, layers)
     }
-    if panels.is_empty() {
-        return Chart::empty(translator, "posterior");
-    }
-    let caption = translator.text("figure-posterior-caption");
-    let mut chart = Chart::new(translator, "posterior", caption, panels);
-    chart.columns = vec![1.0; count];
-    chart
 }
 
 fn varies(values: &[f64]) -> bool {

@@ -2,6 +2,7 @@
 
 use bouncelab::analysis::Drop;
 use bouncelab::inference::ImpactPosterior;
+use bouncelab::restitution::ImpactRestitution;
 
 use super::FigureInput;
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
@@ -27,21 +28,15 @@ pub(super) fn restitution(input: &FigureInput<'_>, translator: &Translator) -> C
     if impacts.is_empty() {
         return Chart::empty(translator, "restitution");
     }
-    let points = |value: fn(&bouncelab::restitution::ImpactRestitution) -> f64| -> Vec<Point> {
-        let points = impacts
-            .iter()
-            .map(|impact| [impact.impact_speed_m_s, value(impact)]);
-        points.collect()
-    };
-    let corrected = points(|impact| impact.restitution.value);
+    let corrected = points(impacts, |impact| impact.restitution.value);
     let errors = impacts
         .iter()
         .map(|impact| impact.restitution.known_sd().unwrap_or(f64::NAN));
-    let layers = vec![
+    let measured = vec![
         Layer::points(
             Meaning::Plain,
             Marker::Ring,
-            points(|impact| impact.flight_time_ratio),
+            points(impacts, |impact| impact.flight_time_ratio),
         )
         .named(text("raw")),
         Layer::points(Meaning::Measured, Marker::Dot, corrected.clone())
@@ -49,38 +44,49 @@ pub(super) fn restitution(input: &FigureInput<'_>, translator: &Translator) -> C
             .with_errors(errors.collect()),
     ];
     let law = law(drop, &text("law"));
-    let line = drop.log_linear_fit.as_ref().ok().map(|fit| {
-        let value = fit.restitution.value;
-        let written = Quantity::rounded(value, 4, Unit::Number);
-        let name = translator.text_with("figure-restitution-line", &[("value", written.into())]);
-        Layer::level(Meaning::Plain, value).named(name)
-    });
-    let bulk = Scale::within(TAIL, ys(&layers));
-    let fitted = law.last().cloned();
-    let others: Vec<Layer> = fitted.into_iter().chain(line.clone()).collect();
-    let ends = ys(&others).chain([bulk.low(), bulk.high()]);
-    let y = Axis::new(
-        translator.text("axis-restitution"),
-        "",
-        Scale::linear(ends).padded(0.08, 0.08),
-    );
-    let speeds = xs(&layers).chain(xs(&law)).chain([0.0]);
-    let x = Axis::new(
-        translator.text("axis-impact-speed"),
-        "m/s",
-        Scale::linear(speeds).padded(0.0, 0.04),
-    );
+    let line = line(drop, translator);
+    let [x, y] = axes(&measured, &law, line.as_ref(), translator);
     let outliers = outliers(drop, &corrected);
     let outliers = (!outliers.is_empty())
         .then(|| Layer::points(Meaning::Drag, Marker::OpenTriangle, outliers).named(text("odd")));
-    let layers = law
-        .into_iter()
-        .chain(line)
-        .chain(layers)
-        .chain(outliers)
-        .collect();
-    let panel = Panel::new(250.0, x, y, layers);
+    let layers = law.into_iter().chain(line).chain(measured).chain(outliers);
+    let panel = Panel::new(250.0, x, y, layers.collect());
     Chart::new(translator, "restitution", text("caption"), vec![panel])
+}
+
+/// A value of each impact against its speed.
+fn points(impacts: &[ImpactRestitution], value: fn(&ImpactRestitution) -> f64) -> Vec<Point> {
+    let points = impacts
+        .iter()
+        .map(|impact| [impact.impact_speed_m_s, value(impact)]);
+    points.collect()
+}
+
+/// The one restitution of the log-linear fit.
+fn line(drop: &Drop, translator: &Translator) -> Option<Layer> {
+    let value = drop.log_linear_fit.as_ref().ok()?.restitution.value;
+    let written = Quantity::rounded(value, 4, Unit::Number);
+    let name = translator.text_with("figure-restitution-line", &[("value", written.into())]);
+    Some(Layer::level(Meaning::Plain, value).named(name))
+}
+
+/// The horizontal axis shows all speeds from zero, the vertical one the bulk of the measured values, the law and the line.
+fn axes(
+    measured: &[Layer],
+    law: &[Layer],
+    line: Option<&Layer>,
+    translator: &Translator,
+) -> [Axis; 2] {
+    let bulk = Scale::within(TAIL, ys(measured));
+    let fitted: Vec<Layer> = law.last().into_iter().chain(line).cloned().collect();
+    let ends = ys(&fitted).chain([bulk.low(), bulk.high()]);
+    let y = Scale::linear(ends).padded(0.08, 0.08);
+    let speeds = xs(measured).chain(xs(law)).chain([0.0]);
+    let x = Scale::linear(speeds).padded(0.0, 0.04);
+    [
+        Axis::new(translator.text("axis-impact-speed"), "m/s", x),
+        Axis::new(translator.text("axis-restitution"), "", y),
+    ]
 }
 
 /// The fitted law with the 95 and the 68 % interval below it; nothing without inference.

@@ -42,48 +42,14 @@ pub fn run_chart(
     if numbered.is_empty() {
         return Chart::empty(translator, ID);
     }
-    let crowded = numbered.len() > CROWDED;
-    let named = (2..=MAX_NAMED).contains(&groups.len());
-    let layer = |meaning, marker, shown: &dyn Fn(&RunPoint) -> bool| {
-        let shown = || numbered.iter().filter(|(_, point)| shown(point));
-        let positions = shown().map(|(order, point)| [*order, point.off]).collect();
-        let errors = shown().map(|(_, point)| point.standard_error.unwrap_or(f64::NAN));
-        let errors = if crowded {
-            Vec::new()
-        } else {
-            errors.collect()
-        };
-        Layer::points(meaning, marker, positions).with_errors(errors)
-    };
-    let indices: BTreeSet<usize> = numbered.iter().map(|(_, point)| point.group).collect();
-    let mut layers: Vec<Layer> = indices
-        .into_iter()
-        .map(|index| {
-            let marker = if crowded {
-                Marker::Speck
-            } else {
-                Marker::of_group(index)
-            };
-            let is_of = |point: &RunPoint| point.group == index && !point.outlier;
-            let name = groups.get(index).filter(|_| named);
-            let layer = layer(Meaning::Group(index), marker, &is_of);
-            layer.named(name.cloned().unwrap_or_default())
-        })
-        .collect();
+    let mut layers = of_groups(&numbered, groups);
     let bulk = Scale::bulk(ys(&layers));
-    let level = |value: f64| Layer::level(Meaning::Plain, value);
-    let mut levels = vec![level(0.0)];
-    for limit in limit
-        .filter(|limit| limit.is_finite())
-        .into_iter()
-        .flat_map(|l| [-l, l])
-    {
-        let level = level(limit).with_width(1.5).with_dashes(Dashes::Dashed);
-        levels.push(level.named(text("unchanged")));
-    }
+    let levels = levels(limit, &text("unchanged"));
     let ends = ys(&levels).chain([bulk.low(), bulk.high()]);
     let y = Scale::linear(ends).padded(0.08, 0.08);
-    let outliers = layer(Meaning::Warning, Marker::Ring, &|point| point.outlier);
+    let outliers = layer(&numbered, Meaning::Warning, Marker::Ring, &|point| {
+        point.outlier
+    });
     if xs(std::slice::from_ref(&outliers)).next().is_some() {
         layers.push(outliers.named(text("outlier")));
     }
@@ -92,4 +58,52 @@ pub fn run_chart(
     let y = Axis::new(text("off"), "", y);
     let panel = Panel::new(225.0, x, y, levels.into_iter().chain(layers).collect());
     Chart::new(translator, ID, text("caption"), vec![panel])
+}
+
+/// The points without outliers, a layer for each group.
+fn of_groups(numbered: &[(f64, &RunPoint)], groups: &[String]) -> Vec<Layer> {
+    let named = (2..=MAX_NAMED).contains(&groups.len());
+    let indices: BTreeSet<usize> = numbered.iter().map(|(_, point)| point.group).collect();
+    let layers = indices.into_iter().map(|index| {
+        let marker = if numbered.len() > CROWDED {
+            Marker::Speck
+        } else {
+            Marker::of_group(index)
+        };
+        let is_of = |point: &RunPoint| point.group == index && !point.outlier;
+        let name = groups.get(index).filter(|_| named);
+        let layer = layer(numbered, Meaning::Group(index), marker, &is_of);
+        layer.named(name.cloned().unwrap_or_default())
+    });
+    layers.collect()
+}
+
+/// The points that are shown in this layer, with their standard errors unless there are too many.
+fn layer(
+    numbered: &[(f64, &RunPoint)],
+    meaning: Meaning,
+    marker: Marker,
+    shown: &dyn Fn(&RunPoint) -> bool,
+) -> Layer {
+    let shown = || numbered.iter().filter(|(_, point)| shown(point));
+    let positions = shown().map(|(order, point)| [*order, point.off]).collect();
+    let errors = shown().map(|(_, point)| point.standard_error.unwrap_or(f64::NAN));
+    let errors = if numbered.len() > CROWDED {
+        Vec::new()
+    } else {
+        errors.collect()
+    };
+    Layer::points(meaning, marker, positions).with_errors(errors)
+}
+
+/// Zero, and the limits within which drops lie as long as nothing changes.
+fn levels(limit: Option<f64>, name: &str) -> Vec<Layer> {
+    let level = |value: f64| Layer::level(Meaning::Plain, value);
+    let limit = limit.filter(|limit| limit.is_finite());
+    let limits = limit.into_iter().flat_map(|limit| [-limit, limit]);
+    let limits = limits.map(|limit| {
+        let level = level(limit).with_width(1.5).with_dashes(Dashes::Dashed);
+        level.named(name)
+    });
+    std::iter::once(level(0.0)).chain(limits).collect()
 }

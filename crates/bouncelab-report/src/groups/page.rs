@@ -98,7 +98,31 @@ fn of_study(
         blocks.extend(figure);
         blocks
     };
-    let mut of_groups = vec![
+    let varies = if study.varies.len() > 1 {
+        vec![Block::table(
+            translator.text("session-varies-table"),
+            tables::varies_table(groups, study, translator),
+        )]
+    } else {
+        Vec::new()
+    };
+    let of_groups = group_tables(groups, study, translator);
+    let section = |id: &str, blocks| Section::new(translator.text(id), blocks);
+    vec![
+        section("session-groups", with(of_groups, intervals)),
+        section("session-against-speed", with(Vec::new(), laws)),
+        section("session-what-varies", varies),
+        section(
+            "session-differences-heading",
+            differences(groups, study, translator),
+        ),
+        section("session-in-order", with(Vec::new(), run)),
+    ]
+}
+
+/// The groups, their intervals, and the groups with outliers with and without them.
+fn group_tables(groups: &GroupStudy, study: &Study, translator: &Translator) -> Vec<Block> {
+    let mut blocks = vec![
         Block::table(
             translator.text("session-groups-table"),
             tables::group_table(groups, study, None, translator),
@@ -110,51 +134,28 @@ fn of_study(
     ];
     let without = tables::without_table(groups, study, translator);
     if !without.is_empty() {
-        of_groups.push(Block::table(
+        blocks.push(Block::table(
             translator.text("session-without-table"),
             without,
         ));
     }
-    let varies = if study.varies.len() > 1 {
-        vec![Block::table(
-            translator.text("session-varies-table"),
-            tables::varies_table(groups, study, translator),
-        )]
-    } else {
-        Vec::new()
-    };
-    let differences = study
-        .differences
-        .iter()
-        .filter(|(_, differences)| !differences.is_empty())
-        .map(|(factor, differences)| {
-            let name = groups.factors[*factor].name.as_str();
-            let table = tables::difference_table(groups, *factor, differences, translator);
-            let caption =
-                translator.text_with("session-differences-table", &[("factor", name.into())]);
-            Block::table(caption, table)
-        });
-    let trends = tables::trend_table(groups, study, translator);
-    let trends = (!trends.is_empty()).then(|| {
-        let caption = translator.text("session-trends-table");
-        Block::table(caption, trends)
+    blocks
+}
+
+/// The differences between the levels of each factor, and the trends.
+fn differences(groups: &GroupStudy, study: &Study, translator: &Translator) -> Vec<Block> {
+    let factors = study.differences.iter();
+    let factors = factors.filter(|(_, differences)| !differences.is_empty());
+    let tables_of_factors = factors.map(|(factor, differences)| {
+        let name = groups.factors[*factor].name.as_str();
+        let table = tables::difference_table(groups, *factor, differences, translator);
+        let caption = translator.text_with("session-differences-table", &[("factor", name.into())]);
+        Block::table(caption, table)
     });
-    vec![
-        Section::new(
-            translator.text("session-groups"),
-            with(of_groups, intervals),
-        ),
-        Section::new(
-            translator.text("session-against-speed"),
-            with(Vec::new(), laws),
-        ),
-        Section::new(translator.text("session-what-varies"), varies),
-        Section::new(
-            translator.text("session-differences-heading"),
-            differences.chain(trends).collect(),
-        ),
-        Section::new(translator.text("session-in-order"), with(Vec::new(), run)),
-    ]
+    let trends = tables::trend_table(groups, study, translator);
+    let trends =
+        (!trends.is_empty()).then(|| Block::table(translator.text("session-trends-table"), trends));
+    tables_of_factors.chain(trends).collect()
 }
 
 fn troubles(about: &About, translator: &Translator) -> Section {

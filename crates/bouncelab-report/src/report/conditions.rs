@@ -90,56 +90,69 @@ fn source(origin: &Source, translator: &Translator) -> Vec<Fact> {
     }
 }
 
+/// Ball, gravity, air and drag, then what was measured of the drop, and how the inference samples.
 fn known(settings: &Options, ball_name: String, translator: &Translator) -> Vec<Fact> {
+    let mut facts = vec![(translator.text("report-ball"), ball_name)];
+    facts.extend(inputs(settings, translator));
+    facts.extend(laws(settings, translator));
+    facts.extend(measurements(settings, translator));
+    facts.extend(sampler(settings, translator));
+    facts
+}
+
+/// The inputs of the physics with their standard uncertainties.
+fn inputs(settings: &Options, translator: &Translator) -> impl Iterator<Item = Fact> {
     let (ball, environment) = (&settings.ball, &settings.environment);
-    let (air, priors) = (&environment.air, &settings.priors);
-    let measured = |id: &str, value: f64, sd: f64, unit| {
+    let priors = &settings.priors;
+    let density_kg_m3 = environment.air.density_kg_m3();
+    let inputs = [
         (
-            translator.text(id),
-            Quantity::measured(value, sd, unit).text(translator),
-        )
-    };
-    let known = |id: &str, value: f64, rel_sd: f64, unit| measured(id, value, rel_sd * value, unit);
+            "report-mass",
+            ball.mass_kg(),
+            priors.mass_rel_sd,
+            Unit::Mass,
+        ),
+        (
+            "report-diameter",
+            ball.diameter_m(),
+            priors.diameter_rel_sd,
+            Unit::Length,
+        ),
+        (
+            "report-contact-time",
+            settings.contact_time_s,
+            priors.contact_time_rel_sd,
+            Unit::Time,
+        ),
+        (
+            "report-gravity",
+            environment.gravity_m_s2,
+            priors.gravity_rel_sd,
+            Unit::Acceleration,
+        ),
+        (
+            "report-air-density",
+            density_kg_m3,
+            priors.air_density_rel_sd,
+            Unit::Density,
+        ),
+    ];
+    inputs.into_iter().map(|(id, value, rel_sd, unit)| {
+        let quantity = Quantity::measured(value, rel_sd * value, unit);
+        (translator.text(id), quantity.text(translator))
+    })
+}
+
+/// The drag law, and which effects of the displaced air are taken into account.
+fn laws(settings: &Options, translator: &Translator) -> [Fact; 2] {
+    let environment = &settings.environment;
     let displaced_air = match (environment.buoyancy, environment.added_mass) {
         (true, true) => "report-displaced-air-both",
         (true, false) => "report-displaced-air-buoyancy",
         (false, true) => "report-displaced-air-added-mass",
         (false, false) => "report-displaced-air-none",
     };
-    let (contact_s, gravity_m_s2) = (settings.contact_time_s, environment.gravity_m_s2);
-    let density_kg_m3 = air.density_kg_m3();
-    let mut facts = vec![
-        (translator.text("report-ball"), ball_name),
-        known(
-            "report-mass",
-            ball.mass_kg(),
-            priors.mass_rel_sd,
-            Unit::Mass,
-        ),
-        known(
-            "report-diameter",
-            ball.diameter_m(),
-            priors.diameter_rel_sd,
-            Unit::Length,
-        ),
-        known(
-            "report-contact-time",
-            contact_s,
-            priors.contact_time_rel_sd,
-            Unit::Time,
-        ),
-        known(
-            "report-gravity",
-            gravity_m_s2,
-            priors.gravity_rel_sd,
-            Unit::Acceleration,
-        ),
-        known(
-            "report-air-density",
-            density_kg_m3,
-            priors.air_density_rel_sd,
-            Unit::Density,
-        ),
+    [
         (
             translator.text("report-drag-law"),
             drag_law(environment.drag, translator),
@@ -148,21 +161,29 @@ fn known(settings: &Options, ball_name: String, translator: &Translator) -> Vec<
             translator.text("report-displaced-air"),
             translator.text(displaced_air),
         ),
+    ]
+}
+
+/// The measured drop height and release time, if they were given.
+fn measurements(settings: &Options, translator: &Translator) -> impl Iterator<Item = Fact> {
+    let priors = &settings.priors;
+    let measurements = [
+        ("report-measured-height", priors.drop_height_m, Unit::Length),
+        ("report-release", priors.release_s, Unit::Time),
     ];
-    if let Some(Measured { value, sd }) = priors.drop_height_m {
-        facts.push(measured("report-measured-height", value, sd, Unit::Length));
-    }
-    if let Some(Measured { value, sd }) = priors.release_s {
-        facts.push(measured("report-release", value, sd, Unit::Time));
-    }
-    if let Some(inference) = &settings.inference {
-        let sampler = &inference.sampler;
-        let draws = [
-            ("draws", sampler.draws.into()),
-            ("seed", sampler.seed.into()),
-        ];
-        let sampler = translator.text_with("report-sampler-draws", &draws);
-        facts.push((translator.text("report-sampler"), sampler));
-    }
-    facts
+    measurements.into_iter().filter_map(|(id, measured, unit)| {
+        let Measured { value, sd } = measured?;
+        let quantity = Quantity::measured(value, sd, unit);
+        Some((translator.text(id), quantity.text(translator)))
+    })
+}
+
+fn sampler(settings: &Options, translator: &Translator) -> Option<Fact> {
+    let sampler = &settings.inference.as_ref()?.sampler;
+    let draws = [
+        ("draws", sampler.draws.into()),
+        ("seed", sampler.seed.into()),
+    ];
+    let draws = translator.text_with("report-sampler-draws", &draws);
+    Some((translator.text("report-sampler"), draws))
 }
