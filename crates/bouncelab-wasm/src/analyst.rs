@@ -20,16 +20,16 @@ use crate::wire::{
     Analysed, AnalysisRequest, Comparable, Drawn, DropMarks, FigureTab, SimulationRequest,
 };
 
-/// So many analyses of single drops are remembered: those of a recording with many drops, and of
+/// Maximum number of remembered analyses of single drops: those of a recording with many drops, and of
 /// the last few edits.
-const REMEMBERED: usize = 64;
+const MAX_REMEMBERED: usize = 64;
 
-/// Analyses drops, and remembers the last ones: who edits one drop need not wait for the others,
-/// and who wants a figure need not wait for the numbers.
+/// Analyses drops, and remembers the last ones: an edit of one drop does not repeat the others, and
+/// a figure does not repeat the numbers.
 #[derive(Debug, Default)]
 pub struct Analyst {
     /// The latest last.
-    known: Vec<(DropTask, Drop)>,
+    remembered: Vec<(DropTask, Drop)>,
 }
 
 /// A request with its result, in a language.
@@ -46,7 +46,7 @@ impl Analyst {
     ///
     /// # Errors
     ///
-    /// If a setting makes no sense. A drop of which something cannot be told is no error.
+    /// If a setting is out of range. An unknown result of a drop is no error.
     pub fn analyse<'a>(
         &mut self,
         request: &'a AnalysisRequest,
@@ -75,15 +75,15 @@ impl Analyst {
 
     /// The analysis of one drop, from memory if it is there.
     fn drop(&mut self, task: &DropTask) -> Drop {
-        let known = match self.known.iter().position(|(known, _)| known == task) {
-            Some(index) => self.known.remove(index),
+        let analysed = match self.remembered.iter().position(|(other, _)| other == task) {
+            Some(index) => self.remembered.remove(index),
             None => (task.clone(), task.run()),
         };
-        let drop = known.1.clone();
-        if self.known.len() == REMEMBERED {
-            self.known.remove(0);
+        let drop = analysed.1.clone();
+        if self.remembered.len() == MAX_REMEMBERED {
+            self.remembered.remove(0);
         }
-        self.known.push(known);
+        self.remembered.push(analysed);
         drop
     }
 }
@@ -156,26 +156,26 @@ impl Analysis<'_> {
     ///
     /// # Errors
     ///
-    /// If there is no figure of this name, or the simulation makes no sense.
+    /// If there is no figure of this name, or the simulation is out of range.
     pub fn chart(
         &self,
         drop: usize,
         name: &str,
         simulation: Option<&SimulationRequest>,
     ) -> Result<Chart> {
-        let found = self.result.drops.get(drop);
-        let first = found.and_then(|found| found.impacts.first());
+        let analysed = self.result.drops.get(drop);
+        let first = analysed.and_then(|drop| drop.impacts.first());
         let simulation = simulation.zip(first);
         let simulation = simulation
             .map(|(request, first)| simulator::moved_curve(request, first.time_s))
             .transpose()?;
-        let input = found.map(|found| {
-            FigureInput::new(found, &self.setup.options).with_simulation(simulation.as_deref())
+        let input = analysed.map(|drop| {
+            FigureInput::new(drop, &self.setup.options).with_simulation(simulation.as_deref())
         });
         let of_drop = input.and_then(|input| figure::chart(name, &input, self.translator));
         let of_air = || {
             let mut charts = self.of_air().into_iter();
-            charts.find_map(|(known, chart)| (known == name).then_some(chart))
+            charts.find_map(|(other, chart)| (other == name).then_some(chart))
         };
         of_drop
             .or_else(of_air)

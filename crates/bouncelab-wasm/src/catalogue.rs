@@ -6,7 +6,7 @@ use bouncelab::inference::LawKind;
 use bouncelab::synth::Voice;
 use bouncelab::{ball, gravity};
 
-use crate::wire::{BallPreset, Catalogue, DragLawEntry, World};
+use crate::wire::{BallPreset, Body, Catalogue, DragLawEntry};
 
 /// Everything that a page can offer.
 ///
@@ -38,34 +38,34 @@ pub fn catalogue() -> bouncelab::Result<Catalogue> {
         usual_drag_law: DragLaw::CliftGraceWeber.name().to_owned(),
         restitution_laws: LawKind::ALL.map(|law| law.name().to_owned()).to_vec(),
         voices: Voice::NAMES.map(str::to_owned).to_vec(),
-        worlds: worlds(&Air::moist(&air)?),
+        bodies: bodies(&Air::moist(&air)?),
         usual_air: air,
         standard_gravity_m_s2: gravity::STANDARD_M_S2,
     })
 }
 
-/// Gravity at the equator and air at the surface, or at 1 bar where there is none, of NASA's
+/// Gravity at the equator and air at the surface, or at 1 bar where there is no surface, of NASA's
 /// planetary fact sheets (D. R. Williams, nssdc.gsfc.nasa.gov/planetary/factsheet). Viscosity of
 /// the main gas at the temperature there, by Sutherland's formula with the constants of White,
 /// Viscous Fluid Flow: good to some per cent.
-fn worlds(earth: &Air) -> Vec<World> {
-    let world = |name: &str, gravity_m_s2: f64, density: f64, viscosity: Option<f64>| World {
+fn bodies(earth: &Air) -> Vec<Body> {
+    let body = |name: &str, gravity_m_s2: f64, density: f64, viscosity: Option<f64>| Body {
         name: name.to_owned(),
         gravity_m_s2,
         air_density_kg_m3: density,
         air_viscosity_pa_s: viscosity,
     };
     vec![
-        world(
+        body(
             "earth",
             gravity::STANDARD_M_S2,
             earth.density_kg_m3(),
             Some(earth.viscosity_pa_s()),
         ),
-        world("moon", 1.62, 0.0, None),
-        world("mars", 3.73, 0.020, Some(1.1e-5)),
-        world("venus", 8.87, 65.0, Some(3.3e-5)),
-        world("titan", 1.35, 5.4, Some(6.5e-6)),
-        world("jupiter", 24.79, 0.16, Some(7.5e-6)),
+        body("moon", 1.62, 0.0, None),
+        body("mars", 3.73, 0.020, Some(1.1e-5)),
+        body("venus", 8.87, 65.0, Some(3.3e-5)),
+        body("titan", 1.35, 5.4, Some(6.5e-6)),
+        body("jupiter", 24.79, 0.16, Some(7.5e-6)),
     ]
 }

@@ -47,12 +47,12 @@ impl Decoder {
         self.source.channels()
     }
 
-    /// Its format in words.
+    /// The name of its format.
     pub fn format(&self) -> String {
         self.source.format()
     }
 
-    /// Length in seconds, as far as the file says.
+    /// Length in seconds, as far as the file states it.
     #[wasm_bindgen(js_name = durationS)]
     pub fn duration_s(&self) -> Option<f64> {
         self.source.duration_s()
@@ -80,7 +80,7 @@ impl Decoder {
         samples.map_or_else(Vec::new, std::mem::take)
     }
 
-    /// What was odd about the file so far, as a list of diagnostics.
+    /// The warnings about the file so far, as a list of diagnostics.
     pub fn warnings(&self) -> Result<String> {
         let warnings = self.source.warnings().iter();
         let warnings: Vec<Diagnostic> = warnings.map(Warning::diagnostic).collect();
@@ -106,7 +106,7 @@ pub fn linked_drop(code: &str) -> Result<String> {
     Ok(serde_json::to_string(&LinkedDrop::of_code(code)?)?)
 }
 
-/// What drops say together, in a language by its code and its files.
+/// The study of many drops, in a language by its code and its files.
 #[expect(
     clippy::needless_pass_by_value,
     reason = "JavaScript hands over a vector"

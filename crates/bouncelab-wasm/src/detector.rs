@@ -22,15 +22,15 @@ pub struct RecordingDetector {
     options: Options,
     sample_rate_hz: u32,
     frames: u64,
-    /// How many onsets there were when drops were last searched, and what was found.
+    /// The number of onsets at the last search for drops, and its result.
     searched_onsets: usize,
-    found: SoFar,
-    /// The drop that was found last.
+    so_far: SoFar,
+    /// The last drop of that search.
     last: Option<Train>,
 }
 
 impl RecordingDetector {
-    /// A detector for so many channels, which uses one of them (counted from 1) or all.
+    /// A detector for a number of channels, which uses one of them (counted from 1) or all.
     ///
     /// # Errors
     ///
@@ -47,7 +47,7 @@ impl RecordingDetector {
             sample_rate_hz,
             frames: 0,
             searched_onsets: 0,
-            found: SoFar::default(),
+            so_far: SoFar::default(),
             last: None,
         })
     }
@@ -61,7 +61,7 @@ impl RecordingDetector {
         self.frames += channels.first().map_or(0, |samples| samples.len()) as u64;
     }
 
-    /// Notes where sound was lost: silence is pushed in its place, and no flight across it counts.
+    /// Notes where sound was lost: silence is pushed instead, and no flight across it counts.
     pub fn lose(&mut self, gaps: Vec<Gap>) {
         self.options.edits.gaps.extend(gaps);
     }
@@ -73,15 +73,15 @@ impl RecordingDetector {
             let detection = self.detector.so_far();
             self.last = detection.found.trains.last().cloned();
             let plan = Plan::of_detection(detection, &self.options);
-            self.found.drops = plan.tasks().len();
-            self.found.drop = plan.tasks().last().map(DropTask::run);
+            self.so_far.drops = plan.tasks().len();
+            self.so_far.drop = plan.tasks().last().map(DropTask::run);
         }
         let now_s = self.frames as f64 / f64::from(self.sample_rate_hz);
-        self.found.duration_s = now_s;
+        self.so_far.duration_s = now_s;
         let last = self.last.as_ref();
-        self.found.at_rest =
+        self.so_far.at_rest =
             last.is_some_and(|train| now_s > rests_at_s(train.impacts(), &self.options.edits.gaps));
-        &self.found
+        &self.so_far
     }
 
     /// Ends the recording: what was detected, and the loudness of the channel with the drops. Format and
@@ -94,11 +94,11 @@ impl RecordingDetector {
     }
 }
 
-/// Reads a list of times; the extension of its name says how.
+/// Reads a list of times; the extension of its name states the format.
 ///
 /// # Errors
 ///
-/// If it is none.
+/// If it is not a list of times.
 pub fn of_times(content: &[u8], name: &str) -> Result<Recording> {
     let options = Options::default().without_inference();
     Ok(bouncelab::analyze_times(
@@ -142,8 +142,8 @@ mod tests {
         detector.lose(gaps);
         (0..100).find_map(|_| {
             detector.push(&[&vec![0.0; rate_hz / 10]]);
-            let found = detector.so_far();
-            found.at_rest.then_some(found.duration_s)
+            let so_far = detector.so_far();
+            so_far.at_rest.then_some(so_far.duration_s)
         })
     }
 

@@ -33,7 +33,7 @@ fn read<T: DeserializeOwned>(json: &str) -> Result<T> {
     Ok(serde_json::from_str(json)?)
 }
 
-/// Balls, laws, voices and worlds.
+/// Balls, laws, voices, and bodies with their gravity and air.
 #[wasm_bindgen(js_name = catalogue)]
 pub fn js_catalogue() -> Result<String> {
     json(&catalogue()?)
@@ -73,7 +73,7 @@ pub struct JsDetector {
 
 #[wasm_bindgen(js_class = Detector)]
 impl JsDetector {
-    /// For so many channels; `channel`, counted from 1, is the only one that is used.
+    /// For `channels` channels; `channel`, counted from 1, is the only one that is used.
     #[wasm_bindgen(constructor)]
     pub fn new(sample_rate_hz: u32, channels: usize, channel: Option<usize>) -> Result<Self> {
         Ok(Self {
@@ -99,7 +99,7 @@ impl JsDetector {
         }
     }
 
-    /// Notes gaps of lost sound, a list of them; silence is pushed in their place.
+    /// Notes gaps of lost sound, a list of them; silence is pushed instead.
     pub fn lose(&mut self, gaps: &str) -> Result<()> {
         let gaps = read(gaps)?;
         if let Some(detector) = &mut self.detector {
@@ -118,12 +118,12 @@ impl JsDetector {
     /// those of its file.
     pub fn finish(&mut self, format: &str, warnings: &str) -> Result<String> {
         let warnings = read(warnings)?;
-        let found = self.detector.take().map(|detector| {
+        let result = self.detector.take().map(|detector| {
             let (recording, levels) = detector.finish(format, warnings);
             self.levels = levels;
             recording
         });
-        json(&found)
+        json(&result)
     }
 
     /// Samples in a bin of each level, fine to coarse, once it is finished.
@@ -363,7 +363,7 @@ impl Rendering {
         })
     }
 
-    /// What is to be known of it, if it is the demo.
+    /// Its settings, if it is the demo.
     pub fn about(&self) -> String {
         self.about.clone()
     }
@@ -410,7 +410,7 @@ pub fn puzzle_answer(choice: &str, translator: &JsTranslator) -> Result<String> 
     json(&read::<PuzzleChoice>(choice)?.answer(&translator.0)?)
 }
 
-/// The choice with the restitution with which the line says what the paper's says.
+/// The choice with the restitution with which the line gives the result of the paper.
 #[wasm_bindgen(js_name = puzzleSolution)]
 pub fn puzzle_solution(choice: &str) -> Result<String> {
     json(&read::<PuzzleChoice>(choice)?.solved()?)

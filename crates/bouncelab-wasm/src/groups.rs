@@ -1,4 +1,4 @@
-//! What kept drops say together: the study of the program.
+//! The study of kept drops: that of the program.
 
 use std::collections::BTreeMap;
 
@@ -16,8 +16,8 @@ use crate::wire::{Comparable, Studied, StudiedDrop, StudyRequest};
 /// # Errors
 ///
 /// None that a request can cause.
-pub fn study(request: &StudyRequest, words: &Translator) -> Result<Studied> {
-    let Page { lead, sections, .. } = paged(request, words)?;
+pub fn study(request: &StudyRequest, translator: &Translator) -> Result<Studied> {
+    let Page { lead, sections, .. } = paged(request, translator)?;
     Ok(Studied { lead, sections })
 }
 
@@ -26,13 +26,13 @@ pub fn study(request: &StudyRequest, words: &Translator) -> Result<Studied> {
 /// # Errors
 ///
 /// As those of [`study`].
-pub fn report(request: &StudyRequest, words: &Translator) -> Result<String> {
-    Ok(paged(request, words)?.html())
+pub fn report(request: &StudyRequest, translator: &Translator) -> Result<String> {
+    Ok(paged(request, translator)?.html())
 }
 
-fn paged(request: &StudyRequest, words: &Translator) -> Result<Page> {
-    let known = |drop: &&StudiedDrop| known(drop).is_some();
-    let studied: Vec<&StudiedDrop> = request.drops.iter().filter(known).collect();
+fn paged(request: &StudyRequest, translator: &Translator) -> Result<Page> {
+    let is_comparable = |drop: &&StudiedDrop| comparable(drop).is_some();
+    let studied: Vec<&StudiedDrop> = request.drops.iter().filter(is_comparable).collect();
     let by = request.by.iter().filter(|field| is_noted(&studied, field));
     let question = Question {
         by: by.cloned().collect(),
@@ -49,8 +49,13 @@ fn paged(request: &StudyRequest, words: &Translator) -> Result<Page> {
         };
         noted(drop, factors)
     });
-    let groups = GroupStudy::of(about(request, words), noted.collect(), &question, words)
-        .map_err(|unknown| Refusal::fault(unknown.to_string()))?;
+    let groups = GroupStudy::of(
+        about(request, translator),
+        noted.collect(),
+        &question,
+        translator,
+    )
+    .map_err(|unknown| Refusal::fault(unknown.to_string()))?;
     let impacts = |group: &Group| -> Vec<Point> {
         let drops = group.drops.iter().map(|&drop| studied[drop]);
         drops
@@ -58,17 +63,17 @@ fn paged(request: &StudyRequest, words: &Translator) -> Result<Page> {
             .collect()
     };
     let of_groups = groups.study.iter().flat_map(|study| &study.groups);
-    let charts = figures(&groups, of_groups.map(impacts).collect(), words);
+    let charts = figures(&groups, of_groups.map(impacts).collect(), translator);
     let provenance = Provenance {
         made: request.made.clone(),
         ..Provenance::default()
     };
-    let to_repeat = repeat(&provenance, words);
-    Ok(page(&groups, &charts, &provenance, to_repeat, words))
+    let to_repeat = repeat(&provenance, translator);
+    Ok(page(&groups, &charts, &provenance, to_repeat, translator))
 }
 
 /// What a drop adds, if it knows its restitution at a speed at least.
-fn known(drop: &StudiedDrop) -> Option<&Comparable> {
+fn comparable(drop: &StudiedDrop) -> Option<&Comparable> {
     let comparable = drop.comparable.as_ref();
     comparable.filter(|comparable| !comparable.curve.0.is_empty())
 }
@@ -78,7 +83,7 @@ fn is_noted(drops: &[&StudiedDrop], field: &str) -> bool {
 }
 
 fn noted<'a>(drop: &StudiedDrop, factors: &'a BTreeMap<String, String>) -> Option<NotedDrop<'a>> {
-    let Comparable { curve, scatter } = known(drop)?.clone();
+    let Comparable { curve, scatter } = comparable(drop)?.clone();
     Some(NotedDrop {
         name: drop.name.as_str().into(),
         factors,
@@ -89,9 +94,9 @@ fn noted<'a>(drop: &StudiedDrop, factors: &'a BTreeMap<String, String>) -> Optio
     })
 }
 
-fn about(request: &StudyRequest, words: &Translator) -> About {
+fn about(request: &StudyRequest, translator: &Translator) -> About {
     let drops = &request.drops;
-    let unknown = drops.iter().filter(|drop| known(drop).is_none());
+    let unknown = drops.iter().filter(|drop| comparable(drop).is_none());
     About {
         title: Some(request.title.clone()),
         recordings: drops.len(),
@@ -99,7 +104,7 @@ fn about(request: &StudyRequest, words: &Translator) -> About {
         left_out: unknown
             .map(|drop| Reason {
                 name: drop.name.clone(),
-                reason: words.text("session-no-curve"),
+                reason: translator.text("session-no-curve"),
             })
             .collect(),
         ..About::default()

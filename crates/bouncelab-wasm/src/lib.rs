@@ -19,7 +19,7 @@
 //! | [`language`] | messages of a language |
 //! | [`link`](mod@link) | a drop as a link and a QR code |
 //! | [`analyst`] | analysis of impacts |
-//! | [`groups`] | what many drops say together |
+//! | [`groups`] | the study of many drops |
 //! | [`simulator`] | simulated drops and their sound |
 
 #![allow(

@@ -5,7 +5,7 @@ const FINEST: usize = 64;
 /// Bins of a level that make one of the next.
 const STEP: usize = 4;
 /// No level has fewer bins than this: it would fit on any screen.
-const FEWEST: usize = 512;
+const MIN_BINS: usize = 512;
 
 /// Least and greatest sample of bins of equal length, as sound comes in.
 #[derive(Clone, Debug, Default)]
@@ -49,7 +49,7 @@ impl Pyramid {
             extremes: self.finest,
         }];
         while let Some(level) = levels.last()
-            && level.extremes.len() > 2 * FEWEST * STEP
+            && level.extremes.len() > 2 * MIN_BINS * STEP
         {
             levels.push(Level {
                 samples_per_bin: level.samples_per_bin * STEP,
@@ -77,7 +77,7 @@ fn coarser(extremes: &[f32]) -> Vec<f32> {
 mod tests {
     use super::*;
 
-    /// Every level says of each of its bins what the samples say.
+    /// Every level has the extremes of the samples of each of its bins.
     #[test]
     fn levels_agree_with_the_samples_whatever_the_blocks() {
         let samples: Vec<f32> = (0..300_000)

@@ -21,7 +21,7 @@ pub struct Refusal {
     pub reason: Option<Box<Reason>>,
 }
 
-/// Kinds of trouble that a page may want to tell apart.
+/// Kinds of trouble that a page may want to distinguish.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 #[serde(rename_all = "kebab-case")]
@@ -32,7 +32,7 @@ pub enum RefusalKind {
     Unsupported,
     /// The file is damaged beyond use.
     Damaged,
-    /// The list of times makes no sense.
+    /// The list of times is invalid.
     Times,
     /// A setting that the physics refuses.
     Setting,
@@ -44,7 +44,7 @@ pub enum RefusalKind {
     Fault,
 }
 
-/// What exactly is wrong with a file or a link. The page has words for each in every language.
+/// What exactly is wrong with a file or a link. The page has a message for each in every language.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 #[serde(tag = "code", rename_all = "kebab-case")]
@@ -157,7 +157,7 @@ impl Refusal {
     }
 }
 
-/// The refusal of a name that is not among the known ones.
+/// The refusal of a name that is not in the list.
 pub(crate) fn unknown(kind: &'static str, name: &str, known: &[&str]) -> Refusal {
     bouncelab::Error::unknown_name(kind, name, known).into()
 }

@@ -24,7 +24,7 @@ const POINTS: usize = 4000;
 ///
 /// # Errors
 ///
-/// If something in the request makes no sense.
+/// If something in the request is out of range.
 pub fn simulate(request: &SimulationRequest, translator: &Translator) -> Result<Document> {
     let setup = request.settings.resolve(false)?;
     let settings = &setup.options;
@@ -45,7 +45,7 @@ pub fn simulate(request: &SimulationRequest, translator: &Translator) -> Result<
 ///
 /// # Errors
 ///
-/// If something in the request makes no sense.
+/// If something in the request is out of range.
 pub fn moved_curve(request: &SimulationRequest, first_s: f64) -> Result<Vec<Point>> {
     let history = history(&request.settings.resolve(false)?.options, request)?;
     let first_bounce = history.bounces().first();
@@ -60,7 +60,7 @@ pub fn moved_curve(request: &SimulationRequest, first_s: f64) -> Result<Vec<Poin
 ///
 /// # Errors
 ///
-/// If something in a request makes no sense.
+/// If something in a request is out of range.
 pub fn charts(runs: &[SimulationRun], translator: &Translator) -> Result<[Chart; 2]> {
     let histories = runs.iter().map(|run| {
         let settings = run.request.settings.resolve(false)?.options;
@@ -73,12 +73,12 @@ pub fn charts(runs: &[SimulationRun], translator: &Translator) -> Result<[Chart;
     });
     let histories = histories.collect::<Result<Vec<(Meaning, History)>>>()?;
     let drawn = runs.iter().zip(&histories).enumerate();
-    let drawn = drawn.map(|(place, (run, (present, history)))| figure::Run {
+    let drawn = drawn.map(|(index, (run, (present, history)))| figure::Run {
         name: run.name.clone(),
-        meaning: if place + 1 == runs.len() {
+        meaning: if index + 1 == runs.len() {
             *present
         } else {
-            Meaning::Group(place + 2)
+            Meaning::Group(index + 2)
         },
         history,
     });
@@ -127,7 +127,7 @@ impl RestitutionLaw {
 ///
 /// # Errors
 ///
-/// If something in the request or the scene makes no sense.
+/// If something in the request or the scene is out of range.
 pub fn synthesise(request: &SimulationRequest, scene: &SceneRequest) -> Result<Rendered> {
     let setup = request.settings.resolve(false)?;
     let history = history(&setup.options, request)?;

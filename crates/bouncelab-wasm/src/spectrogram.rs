@@ -27,7 +27,7 @@ pub struct Spectrogram {
     pub cells: Vec<u8>,
 }
 
-/// The spectrogram of these samples in so many columns and rows. A column has the greatest level
+/// The spectrogram of these samples in `columns` and `rows`. A column has the greatest level
 /// of the windows in it, so that no impact falls between two.
 pub fn spectrogram(
     samples: &[f32],
@@ -100,9 +100,9 @@ mod tests {
             .map(|n| 0.1 * (std::f32::consts::TAU * 5000.0 * n as f32 / 44_100.0).sin())
             .collect();
         let (columns, rows) = (50, 40);
-        let found = spectrogram(&samples, 44_100.0, columns, rows);
-        assert_eq!(found.cells.len(), columns * rows);
-        let middle = &found.cells[25 * rows..26 * rows];
+        let result = spectrogram(&samples, 44_100.0, columns, rows);
+        assert_eq!(result.cells.len(), columns * rows);
+        let middle = &result.cells[25 * rows..26 * rows];
         let loudest = (0..rows).max_by_key(|&row| middle[row]).unwrap();
         assert_eq!(loudest, 10);
         // -20 dB is 100 dB above the floor; a window between two bins shows up to 1.5 dB less.

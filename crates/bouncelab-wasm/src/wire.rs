@@ -1,6 +1,6 @@
 //! Requests and responses between the page and the science, as data.
 //!
-//! Everything is SI with the unit in the name, and `null` is what cannot be told. The page has the
+//! Everything is SI with the unit in the name, and an unknown value is `null`. The page has the
 //! same types in `web/src/lab/engine/types.ts`, which is made from these.
 
 use std::collections::BTreeMap;
@@ -36,8 +36,8 @@ pub struct Catalogue {
     pub restitution_laws: Vec<String>,
     /// What an impact can sound like.
     pub voices: Vec<String>,
-    /// Where one may drop a ball.
-    pub worlds: Vec<World>,
+    /// Bodies on which a ball may be dropped.
+    pub bodies: Vec<Body>,
     /// The air that is assumed.
     pub usual_air: Conditions,
     /// Standard gravity.
@@ -72,10 +72,10 @@ pub struct DragLawEntry {
     pub max_reynolds: Option<f64>,
 }
 
-/// Gravity and air of a world.
+/// Gravity and air of a celestial body.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct World {
+pub struct Body {
     /// Name, as a key for translation.
     pub name: String,
     /// Gravity at its surface.
@@ -137,25 +137,25 @@ pub struct AnalysisRequest {
     pub source: Source,
     /// Where its impacts stand out most.
     pub strongest_band: Option<StrongestBand>,
-    /// What is odd about it.
+    /// Its warnings.
     pub diagnostics: Vec<Diagnostic>,
     /// Why there was no drop in it.
     pub no_drop: Option<Diagnostic>,
     /// The drops.
     pub drops: Vec<DropMarks>,
-    /// Ball, air, gravity and what else is known.
+    /// Ball, air, gravity and other settings.
     pub settings: Settings,
     /// With the inference, or only what takes some milliseconds.
     pub inference: bool,
 }
 
-/// What the impacts say.
+/// The result of an analysis.
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct Analysed<'a> {
     /// The document of the program, `bouncelab.analysis/2`.
     pub document: Document<'a>,
-    /// The ball in words.
+    /// The name of the ball.
     pub ball: String,
     /// Settings that look like mistakes of units.
     pub questions: Vec<Diagnostic>,
@@ -177,7 +177,7 @@ pub struct Analysed<'a> {
 pub struct FigureTab {
     /// Its name in requests.
     pub name: &'static str,
-    /// What stands on its tab, in the language of the request.
+    /// The text of its tab, in the language of the request.
     pub tab: String,
 }
 
@@ -214,7 +214,7 @@ pub struct StudyRequest {
     pub drops: Vec<StudiedDrop>,
     /// The fields that make groups; one of which nothing is noted makes none.
     pub by: Vec<String>,
-    /// The day on which a report is made, if it is to say so.
+    /// The day on which a report is made, if it states one.
     pub made: Option<String>,
 }
 
@@ -226,17 +226,17 @@ pub struct StudiedDrop {
     pub name: String,
     /// What it is compared by: field and level.
     pub factors: BTreeMap<String, String>,
-    /// What it adds; `null` where that cannot be told.
+    /// What it adds; `null` if unknown.
     pub comparable: Option<Comparable>,
     /// Speed in m/s and restitution of each impact.
     pub impacts: Vec<[f64; 2]>,
 }
 
-/// What drops say together.
+/// The study of many drops.
 #[derive(Debug, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct Studied {
-    /// The answer in words.
+    /// The answer in sentences.
     pub lead: Vec<Block>,
     /// Tables and figures.
     pub sections: Vec<Section>,
@@ -287,7 +287,7 @@ pub struct SimulationRequest {
     /// Stop when the ball no longer rises above this height; 1 mm if left out.
     #[serde(default)]
     pub until_m: Option<f64>,
-    /// Stop after so many bounces.
+    /// Stop after this number of bounces.
     #[serde(default)]
     pub bounces: Option<u32>,
 }
@@ -352,7 +352,7 @@ pub struct SimulationRun {
 pub struct ComparedDrop {
     /// Its name in the legend.
     pub name: String,
-    /// Its restitution, if it is known.
+    /// Its restitution, if it has one.
     pub restitution: Option<f64>,
     /// Standard deviation of that.
     pub restitution_sd: Option<f64>,
@@ -379,7 +379,7 @@ impl From<ComparedDrop> for DropSummary {
 pub struct SceneRequest {
     /// What an impact sounds like.
     pub voice: String,
-    /// How far the first impact stands above the noise, in dB; without noise if left out.
+    /// Level of the first impact above the noise, in dB; without noise if left out.
     pub snr_db: Option<f64>,
     /// Samples a second.
     pub sample_rate_hz: u32,
@@ -410,7 +410,7 @@ impl Default for SceneRequest {
 pub struct Demo {
     /// Name of the recording.
     pub name: String,
-    /// What a person would say of it.
+    /// The settings that a person would state.
     pub settings: Settings,
     /// Restitution with which it was made.
     pub restitution: f64,

@@ -38,8 +38,8 @@ fn request(drops: Vec<StudiedDrop>) -> StudyRequest {
 fn class() -> Vec<StudiedDrop> {
     let golf = [0.820, 0.823, 0.818, 0.821].map(|e| drop("of golf", "golf", e));
     let tennis = [0.741, 0.739, 0.742, 0.738, 0.74].map(|e| drop("of tennis", "tennis", e));
-    let odd = drop("Ben", "golf", 0.6);
-    [golf.to_vec(), vec![odd], tennis.to_vec()].concat()
+    let outlier = drop("Ben", "golf", 0.6);
+    [golf.to_vec(), vec![outlier], tennis.to_vec()].concat()
 }
 
 fn notes(studied: &Studied) -> String {
@@ -52,24 +52,24 @@ fn notes(studied: &Studied) -> String {
 
 #[test]
 fn groups_have_their_means_and_outliers_their_names() {
-    let words = Translator::english();
-    let studied = study(&request(class()), &words).unwrap();
+    let translator = Translator::english();
+    let studied = study(&request(class()), &translator).unwrap();
     assert!(notes(&studied).contains("Ben"), "{}", notes(&studied));
-    let html = report(&request(class()), &words).unwrap();
-    for told in ["Class 8b", "golf", "0.7400", "0.8205", "Ben"] {
-        assert!(html.contains(told), "{told}");
+    let html = report(&request(class()), &translator).unwrap();
+    for text in ["Class 8b", "golf", "0.7400", "0.8205", "Ben"] {
+        assert!(html.contains(text), "{text}");
     }
 }
 
 #[test]
 fn what_cannot_be_told_says_why() {
-    let words = Translator::english();
-    let said = |drops| notes(&study(&request(drops), &words).unwrap());
-    assert!(said(Vec::new()).contains("no drop has an inference"));
+    let translator = Translator::english();
+    let notes_of = |drops| notes(&study(&request(drops), &translator).unwrap());
+    assert!(notes_of(Vec::new()).contains("no drop has an inference"));
     let one = vec![drop("Anna", "golf", 0.82)];
-    assert!(said(one.clone()).contains("One drop alone"));
+    assert!(notes_of(one.clone()).contains("One drop alone"));
     let two = [one, vec![drop("Ben", "golf", 0.83)]].concat();
-    assert!(said(two).contains("All drops are in one group"));
+    assert!(notes_of(two).contains("All drops are in one group"));
 }
 
 #[test]

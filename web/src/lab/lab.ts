@@ -103,7 +103,7 @@ export class Lab {
     await this.#load('decoders');
   }
 
-  /** Balls, laws, voices and worlds to choose from. */
+  /** Balls, laws, voices and bodies to choose from. */
   catalogue(): Promise<Catalogue> {
     return this.#front.call('catalogue', {});
   }

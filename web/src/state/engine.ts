@@ -6,7 +6,7 @@ import type { Fault, FaultKey } from './faults.ts';
 
 let lab: Lab | undefined;
 
-/** Balls, laws and worlds to choose from, once they are known. */
+/** Balls, laws and bodies to choose from, once they are loaded. */
 export const catalogue = signal<Catalogue | null>(null);
 /** Set when the engine could not be started at all. */
 export const broken = signal<string | null>(null);

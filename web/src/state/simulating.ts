@@ -60,7 +60,7 @@ const AT_SPEED_M_S = 1;
 
 export function requestOf(asked: SimulationSetup): SimulationRequest {
   const { heightM, restitution, slope, ball, drag, world, air } = asked;
-  const where = catalogue.peek()?.worlds.find(({ name }) => name === world);
+  const where = catalogue.peek()?.bodies.find(({ name }) => name === world);
   const density = (where?.air_density_kg_m3 ?? 0) * air;
   const inAir = where && {
     gravity_m_s2: where.gravity_m_s2,

@@ -12,7 +12,7 @@ export function Sliders() {
   const spoken = language.value;
   const now = setup.value;
   const offered = catalogue.value;
-  const world = offered?.worlds.find(({ name }) => name === now.world);
+  const world = offered?.bodies.find(({ name }) => name === now.world);
   const slider = (name: SliderName) => {
     const { min, max, step } = SLIDERS[name];
     return {
@@ -50,7 +50,7 @@ export function Sliders() {
       <Choice
         label={text('page-simulate-world')}
         value={now.world}
-        options={(offered?.worlds ?? []).map(
+        options={(offered?.bodies ?? []).map(
           ({ name }) => [name, nameIn(`page-simulate-worlds-${name}`, name)] as const,
         )}
         onChange={(where) => move({ world: where })}
