@@ -7,7 +7,7 @@ use std::io::{self, Read, Seek, SeekFrom};
 use std::iter;
 
 use bouncelab::analysis::{Plan, analyze_impacts, impacts_of_times};
-use bouncelab::inference::LawKind;
+use bouncelab::restitution::LawKind;
 use bouncelab::{Detector, Options};
 use bouncelab_audio::{Error, Input, SoundReader, TimesProblem};
 use bouncelab_testkit::hostile;

@@ -12,7 +12,8 @@
 //! With `impacts=4` no drop has more impacts than that.
 
 use bouncelab::analysis::{Options, impacts_of_times};
-use bouncelab::inference::{LawKind, Posterior, Priors, infer};
+use bouncelab::inference::{Posterior, Priors, infer};
+use bouncelab::restitution::LawKind;
 use bouncelab::{Estimate, Impact};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;

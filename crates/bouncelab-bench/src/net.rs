@@ -16,7 +16,8 @@ use bouncelab::analysis::{
 };
 use bouncelab::ball;
 use bouncelab::drag::DragLaw;
-use bouncelab::inference::{ApexTarget, LawKind, Measured, Posterior, UNKNOWN};
+use bouncelab::inference::{ApexTarget, Measured, Posterior, UNKNOWN};
+use bouncelab::restitution::LawKind;
 use bouncelab::{Diagnostic, Estimate, Impact};
 use bouncelab_audio::Input;
 use rand::SeedableRng;

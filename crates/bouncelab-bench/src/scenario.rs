@@ -6,7 +6,7 @@
 use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::impact::Restitution;
+use bouncelab::restitution::Restitution;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;

@@ -2,7 +2,7 @@
 
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{Start, Stop};
-use bouncelab::impact::Restitution;
+use bouncelab::restitution::Restitution;
 use bouncelab::{Diagnostic, Options, plausibility};
 use bouncelab_report::document::simulation::Run;
 use clap::Args;

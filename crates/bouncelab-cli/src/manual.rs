@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use bouncelab::ball;
 use bouncelab::drag::DragLaw;
-use bouncelab::inference::LawKind;
+use bouncelab::restitution::LawKind;
 use bouncelab::synth::Voice;
 use bouncelab_report::file::create_folder;
 use bouncelab_report::mark::{MANUAL, MANUAL_LINE};

@@ -3,7 +3,8 @@
 use std::path::PathBuf;
 
 use bouncelab::drop::{Start, Stop};
-use bouncelab::impact::{Restitution, Strike};
+use bouncelab::impact::Strike;
+use bouncelab::restitution::Restitution;
 use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Reverb, Scene, Voice};
 use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_report::document::simulation::{Document, Run};

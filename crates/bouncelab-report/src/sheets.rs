@@ -14,7 +14,7 @@
 use bouncelab::Result;
 use bouncelab::drop::{self, Bounce, Start, Stop};
 use bouncelab::gravity::STANDARD_M_S2;
-use bouncelab::impact::{Contact, Restitution};
+use bouncelab::restitution::{Contact, Restitution};
 use bouncelab::setup::Settings;
 use maud::{DOCTYPE, Markup, html};
 

@@ -3,7 +3,8 @@
 use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop};
 use bouncelab::drag::DragLaw;
-use bouncelab::inference::{LawKind, Posterior, Share, Unknown};
+use bouncelab::inference::{Posterior, Share, Unknown};
+use bouncelab::restitution::LawKind;
 
 use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};

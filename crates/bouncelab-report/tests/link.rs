@@ -1,6 +1,7 @@
 //! A drop as the end of a link: it comes back, or what was changed is refused.
 
-use bouncelab::inference::{ApexTarget, LawKind};
+use bouncelab::inference::ApexTarget;
+use bouncelab::restitution::LawKind;
 use bouncelab::setup::{Inferred, Settings};
 use bouncelab_report::link::{LinkProblem, LinkedDrop};
 use proptest::prelude::*;

@@ -2,7 +2,7 @@
 
 use bouncelab::air::{Air, Conditions};
 use bouncelab::drag::DragLaw;
-use bouncelab::inference::LawKind;
+use bouncelab::restitution::LawKind;
 use bouncelab::synth::Voice;
 use bouncelab::{ball, gravity};
 

@@ -4,7 +4,7 @@
 #![expect(clippy::print_stdout, reason = "it prints for contributors")]
 
 use bouncelab::drop::{self, Start, Stop};
-use bouncelab::impact::{Contact, Restitution};
+use bouncelab::restitution::{Contact, Restitution};
 use bouncelab::{Options, Result, analyze_times, ball};
 
 fn main() -> Result<()> {

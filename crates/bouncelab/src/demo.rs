@@ -13,8 +13,9 @@ use crate::Result;
 use crate::analysis::Options;
 use crate::ball;
 use crate::drop::{self, History, Start, Stop};
-use crate::impact::{Contact, Restitution, Strike};
+use crate::impact::Strike;
 use crate::inference::{InferenceOptions, Priors};
+use crate::restitution::{Contact, Restitution};
 use crate::synth::{self, Noise, Rendered, Scene};
 
 /// The ball: 38 mm, 2.5 g.

@@ -3,7 +3,7 @@
 //! ```
 //! use bouncelab::drop::{self, Start, Stop};
 //! use bouncelab::flight::FlightModel;
-//! use bouncelab::impact::{Contact, Restitution};
+//! use bouncelab::restitution::{Contact, Restitution};
 //!
 //! // The paper's Fig. 8: constant drag coefficient, e = 0.935, from 30.5 cm.
 //! let model = FlightModel::with_terminal_speed(9.81, 9.385)?;
@@ -18,7 +18,8 @@
 
 use crate::error::{Error, Quantity, Result, of_a_size, positive, within};
 use crate::flight::{Fall, Flight, FlightModel, State};
-use crate::impact::{Contact, Strike};
+use crate::impact::Strike;
+use crate::restitution::Contact;
 
 /// A history is given up after this many bounces: it would be of no use to anyone.
 pub const MAX_BOUNCES: usize = 100_000;
@@ -45,7 +46,7 @@ impl Stop {
     /// ```
     /// use bouncelab::drop::{self, Start, Stop};
     /// use bouncelab::flight::FlightModel;
-    /// use bouncelab::impact::{Contact, Restitution};
+    /// use bouncelab::restitution::{Contact, Restitution};
     ///
     /// let contact = Contact::instantaneous(Restitution::constant(0.5)?);
     /// let model = FlightModel::drag_free(10.0)?;
@@ -66,7 +67,7 @@ impl Stop {
     /// ```
     /// use bouncelab::drop::{self, Start, Stop};
     /// use bouncelab::flight::FlightModel;
-    /// use bouncelab::impact::{Contact, Restitution};
+    /// use bouncelab::restitution::{Contact, Restitution};
     ///
     /// let contact = Contact::instantaneous(Restitution::constant(0.5)?);
     /// let model = FlightModel::drag_free(10.0)?;
@@ -192,7 +193,7 @@ pub struct History {
 /// ```
 /// use bouncelab::drop::{self, Start, Stop};
 /// use bouncelab::flight::FlightModel;
-/// use bouncelab::impact::{Contact, Restitution};
+/// use bouncelab::restitution::{Contact, Restitution};
 ///
 /// let contact = Contact::instantaneous(Restitution::constant(0.5)?);
 /// let model = FlightModel::drag_free(10.0)?;
@@ -314,7 +315,7 @@ impl History {
     /// ```
     /// use bouncelab::drop::{self, Start, Stop};
     /// use bouncelab::flight::FlightModel;
-    /// use bouncelab::impact::{Contact, Restitution};
+    /// use bouncelab::restitution::{Contact, Restitution};
     ///
     /// let contact = Contact::instantaneous(Restitution::constant(0.5)?);
     /// let model = FlightModel::drag_free(10.0)?;
@@ -372,7 +373,7 @@ impl History {
     /// ```
     /// use bouncelab::drop::{self, Start, Stop};
     /// use bouncelab::flight::FlightModel;
-    /// use bouncelab::impact::{Contact, Restitution};
+    /// use bouncelab::restitution::{Contact, Restitution};
     ///
     /// let contact = Contact::instantaneous(Restitution::constant(0.5)?);
     /// let model = FlightModel::drag_free(10.0)?;

@@ -44,14 +44,14 @@
 //! | [`air`], [`gravity`] | density and viscosity of the air, acceleration of gravity |
 //! | [`drag`] | C<sub>D</sub> at a Reynolds number |
 //! | [`flight`] | duration, apex and impact speed from the launch speed; and the inverse |
-//! | [`impact`] | restitution laws and contact time |
+//! | [`impact`] | impacts, as measured and as sources of sound |
+//! | [`restitution`] | restitution laws, contact time, and the restitution of each impact, corrected for drag |
 //! | [`drop`](mod@drop) | motion from release to rest; height at any time; totals |
 //! | [`synth`] | sound of a drop, with noise of known level |
 //! | [`onset`] | samples to onset candidates |
 //! | [`train`] | which candidates are the impacts of one drop |
 //! | [`detection`] | a stream of samples to trains |
 //! | [`regression`] | the paper's log-linear fit, Eqs. 4 to 8 |
-//! | [`restitution`] | the restitution of each impact, corrected for drag |
 //! | [`inference`] | the posterior of everything that the impacts determine |
 //! | [`analysis`] | the pipeline: samples or times to a [`Recording`] |
 //! | [`Plain`] | text of others, fit to be shown |

@@ -6,7 +6,7 @@ use bouncelab::ball::{self, Ball};
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, InitialFall, MAX_BOUNCES, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::impact::{Contact, Restitution};
+use bouncelab::restitution::{Contact, Restitution};
 use proptest::prelude::*;
 
 fn environment(law: DragLaw) -> Environment {

@@ -8,12 +8,13 @@ use bouncelab::diagnostic::Code;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::impact::{Contact, Restitution, Strike};
+use bouncelab::impact::Strike;
 use bouncelab::inference::{
-    ApexTarget, InferenceOptions, LawKind, Measured, Posterior, Priors, SamplerConfig, UNKNOWN,
-    infer,
+    ApexTarget, InferenceOptions, Measured, Posterior, Priors, SamplerConfig, UNKNOWN, infer,
 };
 use bouncelab::regression::{self, NumberedFlight};
+use bouncelab::restitution::LawKind;
+use bouncelab::restitution::{Contact, Restitution};
 use bouncelab::{Diagnostic, Impact};
 use bouncelab::{Error, Result};
 use bouncelab_testkit::bouncing;

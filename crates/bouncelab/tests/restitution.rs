@@ -7,7 +7,7 @@ use bouncelab::ball;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::impact::{Contact, Restitution};
+use bouncelab::restitution::{Contact, Restitution};
 use bouncelab::restitution::{PerImpact, of_impacts};
 use proptest::prelude::*;
 

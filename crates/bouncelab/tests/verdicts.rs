@@ -4,8 +4,8 @@
 use bouncelab::analysis::{self, Drop, Options};
 use bouncelab::diagnostic::Code;
 use bouncelab::drop::{self, Start, Stop};
-use bouncelab::impact::{Contact, Restitution};
 use bouncelab::inference::{InferenceOptions, Measured, SamplerConfig};
+use bouncelab::restitution::{Contact, Restitution};
 use bouncelab::rulebook::{
     self, Averaging, Conditions, Decision, Evenness, Formula, InconclusiveReason, Limits, Outcome,
     Point, Remark, Requirement, Rule, Status, Verdict,

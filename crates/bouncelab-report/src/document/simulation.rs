@@ -2,7 +2,7 @@
 
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
-use bouncelab::impact::{Contact, Restitution};
+use bouncelab::restitution::{Contact, Restitution};
 use bouncelab::{Diagnostic, Options};
 use serde::Serialize;
 
@@ -33,7 +33,7 @@ impl Run {
     /// use bouncelab::Options;
     /// use bouncelab::drag::DragLaw;
     /// use bouncelab::drop::{Start, Stop};
-    /// use bouncelab::impact::Restitution;
+    /// use bouncelab::restitution::Restitution;
     /// use bouncelab_report::document::simulation::Run;
     ///
     /// let (bounce, start) = (Restitution::constant(0.9)?, Start::Height(0.3));

@@ -6,7 +6,7 @@ use bouncelab::ball::{self, Ball};
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::impact::{Contact, Restitution};
+use bouncelab::restitution::{Contact, Restitution};
 use bouncelab::regression::{self, LogLinearFit, NumberedFlight};
 
 pub(super) const GRAVITY_M_S2: f64 = 9.81;

@@ -5,7 +5,7 @@ use bouncelab::Result;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::Stop;
 use bouncelab::flight::FlightModel;
-use bouncelab::impact::Restitution;
+use bouncelab::restitution::Restitution;
 use bouncelab::regression::{self, LogLinearFit, NumberedFlight};
 use serde::{Deserialize, Serialize};
 

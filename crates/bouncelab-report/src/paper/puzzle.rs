@@ -4,7 +4,7 @@
 use bouncelab::Result;
 use bouncelab::drag::DragLaw;
 use bouncelab::flight::FlightModel;
-use bouncelab::impact::Restitution;
+use bouncelab::restitution::Restitution;
 use serde::Serialize;
 
 use super::experiment::{

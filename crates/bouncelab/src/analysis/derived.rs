@@ -8,8 +8,8 @@ use crate::drag::DragLaw;
 use crate::drop::{self, Start, Stop};
 use crate::estimate::Estimate;
 use crate::flight::{Environment, FlightModel};
-use crate::impact::{Contact, Restitution};
 use crate::inference::{InferenceOptions, SamplerConfig};
+use crate::restitution::{Contact, Restitution};
 
 /// The height of the ball by the flight model, from impact to impact.
 #[derive(Clone, Debug, Default, PartialEq)]

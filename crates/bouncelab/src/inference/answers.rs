@@ -140,9 +140,10 @@ impl Answers {
                 drop_height_m: self.drop_height_m,
                 total_time_s: rest.iter().map(|rest| rest.time_s).collect(),
             },
-            fitted_speeds_m_s: posterior
-                .fitted_speeds_m_s()
-                .unwrap_or([posterior.middle.slowest_m_s, posterior.middle.fastest_m_s]),
+            fitted_speeds_m_s: posterior.fitted_speeds_m_s().unwrap_or([
+                posterior.middle.speeds.slowest_m_s,
+                posterior.middle.speeds.fastest_m_s,
+            ]),
             weights,
             sampled: posterior,
         };
@@ -254,7 +255,7 @@ impl Answers {
 /// The Reynolds number of the fastest impact detected, where drag is strongest.
 fn fastest_reynolds(posterior: &SampledPosterior) -> f64 {
     let air = &posterior.environment.air;
-    air.reynolds(&posterior.ball, posterior.middle.fastest_m_s)
+    air.reynolds(&posterior.ball, posterior.middle.speeds.fastest_m_s)
 }
 
 fn predictions(posterior: &SampledPosterior, reach: &[ApexTarget]) -> Vec<Prediction> {

@@ -1,13 +1,13 @@
 //! The diagnostics of an inference.
 
 use super::GREATEST_PARETO_SHAPE;
-use super::LawKind;
 use super::fit;
 use super::identify::{PriorContraction, UNINFORMATIVE, Unknown};
 use super::likelihood::Innovation;
 use super::priors::{Measured, Priors};
 use super::sampled::{MATTERS, Pool, SampledPosterior};
 use crate::diagnostic::{Code, Diagnostic};
+use crate::restitution::LawKind;
 
 /// An impact with less weight than this is called odd.
 pub(super) const ODD_WEIGHT: f64 = 0.55;
@@ -41,11 +41,11 @@ pub(super) fn diagnostics(
     diagnostics.extend(
         LawKind::ALL
             .into_iter()
-            .filter(|law| asked(law) && law.needs() > seen.max(1))
+            .filter(|law| asked(law) && law.restitutions_needed() > seen.max(1))
             .map(|law| {
                 Diagnostic::new(Code::LawNeedsImpacts)
                     .with("law", law.name())
-                    .with("needed", law.needs())
+                    .with("needed", law.restitutions_needed())
                     .with("seen", seen)
             }),
     );

@@ -201,7 +201,8 @@ mod tests {
     use super::*;
     use crate::inference::likelihood::tests::{impacts, with_model};
     use crate::inference::model::Point;
-    use crate::inference::priors::{LawKind, Priors};
+    use crate::inference::priors::Priors;
+    use crate::restitution::LawKind;
     use crate::simd::Lanes;
 
     /// The log posterior there is the one stated, and a step to either side of each unknown leads down.
@@ -243,7 +244,7 @@ mod tests {
             let mut in_units = shifted.clone();
             in_units[place] = (shifted[place] - expected.logit - by.sum::<f64>()) / unit;
             let same = counted.point(in_units.as_slice()).unwrap();
-            let e = |point: &Point| point.law.at(model.middle.speed_m_s);
+            let e = |point: &Point| point.law.at(model.middle.speeds.reference_m_s);
             assert!((e(&same) / e(&point) - 1.0).abs() < 1e-12);
             assert!((same.fall_launch_m_s / point.fall_launch_m_s - 1.0).abs() < 1e-12);
             let log = |model: &Model, vector: &DVector<f64>| {
@@ -272,7 +273,7 @@ mod tests {
             let [power, constant] = [LawKind::Power, LawKind::Constant].map(of_law);
             let at_middle = |model: &Model, vector: &[f64]| {
                 let law = model.point(vector).unwrap().law;
-                law.at_with_log_slope(model.middle.speed_m_s)
+                law.at_with_log_slope(model.middle.speeds.reference_m_s)
             };
             let (e, log_slope) = at_middle(linear, vector);
             assert!(log_slope < -0.01);

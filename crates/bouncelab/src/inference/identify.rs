@@ -1,7 +1,6 @@
 //! Prior contraction: what the data determine, and what the priors.
 
 use super::model::Slot;
-use super::priors::LawKind;
 use super::sampled::SampledPosterior;
 use crate::stats::{mean, sd};
 
@@ -74,8 +73,7 @@ pub(super) fn prior_contraction(posterior: &SampledPosterior) -> Vec<PriorContra
                 .iter()
                 .filter_map(|draw| {
                     let model = &models[draw.candidate];
-                    // A knee has a place and a fall, which are no slope.
-                    if unknown == Unknown::Slope && model.law == LawKind::Knee {
+                    if unknown == Unknown::Slope && !model.law.has_slope() {
                         return None;
                     }
                     Some(draw.vector[model.place(slot)?])

@@ -26,7 +26,7 @@ use super::scatter_prior;
 use super::tail::{FREEDOM, Tail};
 use super::trials::Trials;
 use crate::flight::table::FlightTable;
-use crate::impact::Restitutions;
+use crate::restitution::Restitutions;
 use crate::simd::{LANES, Lanes, dispatch, one_for_each_lane};
 
 /// Beyond about so many standard deviations an innovation is odd, and says nothing of its
@@ -472,8 +472,9 @@ pub(super) mod tests {
     use crate::impact::Impact;
     use crate::inference::model::{Medium, ReferenceSpeed};
     use crate::inference::observed::Observed;
-    use crate::inference::priors::{LawKind, Measured, Priors};
+    use crate::inference::priors::{Measured, Priors};
     use crate::inference::timed_flights::TimedFlights;
+    use crate::restitution::LawKind;
 
     /// Times of a drop with two gaps, one of them two impacts wide, and a release.
     pub(in super::super) fn impacts() -> Vec<Impact> {

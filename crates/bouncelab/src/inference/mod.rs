@@ -68,7 +68,7 @@ mod trials;
 pub use budget::{Budget, Share};
 pub use identify::{Correlations, PriorContraction, UNINFORMATIVE, Unknown};
 pub use posterior::{BandPoint, Draws, ImpactPosterior, Model, Posterior, Sampling};
-pub use priors::{LawKind, Measured, Priors, UNKNOWN};
+pub use priors::{Measured, Priors, UNKNOWN};
 pub use sample::GREATEST_PARETO_SHAPE;
 pub use sampled::SamplerConfig;
 
@@ -77,7 +77,7 @@ use crate::error::{Error, InferenceFailure, Quantity, Result, positive};
 use crate::estimate::Estimate;
 use crate::flight::Environment;
 use crate::impact::Impact;
-use crate::impact::Restitution;
+use crate::restitution::{LawKind, Restitution};
 use answers::Answers;
 use sampled::SampledPosterior;
 
@@ -171,7 +171,9 @@ pub fn infer(
         priors,
         &inference.sampler,
     )?;
-    let at_speed_m_s = inference.at_speed_m_s.unwrap_or(posterior.middle.speed_m_s);
+    let at_speed_m_s = inference
+        .at_speed_m_s
+        .unwrap_or(posterior.middle.speeds.reference_m_s);
     Answers::new(&posterior, at_speed_m_s)
         .and_then(|answers| answers.inference(posterior, inference))
         .ok_or(Error::CannotInfer(InferenceFailure::SamplingFailed))

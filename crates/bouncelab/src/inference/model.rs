@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::observed::Observed;
-use super::priors::{LawKind, Measured, Priors};
+use super::priors::{Measured, Priors};
 use super::scatter_prior;
 use super::timed_flights::TimedFlights;
 use crate::ball::Ball;
@@ -11,24 +11,12 @@ use crate::drag::DragLaw;
 use crate::error::{Error, InferenceFailure, Result};
 use crate::flight::table::{DragProfile, FlightTables, MAX_STEPS, Row};
 use crate::flight::{Environment, FlightModel};
-use crate::impact::Restitution;
+use crate::restitution::{LawKind, MAX_SHAPES, Restitution, SpeedRange};
 use crate::simd::Lanes;
-use crate::stats::logistic;
 use crate::stats::{median, robust_sd};
-
-/// Prior of the slope -d ln e/d ln v, and of the fall above a knee.
-const SLOPE_SD: f64 = 0.1;
-const KNEE_FALL: f64 = 0.05;
-
-/// Prior of the slope in the middle of a smooth law, and of its random walk for a factor e in speed.
-const SMOOTH_SLOPE: f64 = 0.03;
-const SLOPE_WALK: f64 = 0.05;
 
 /// A law that keeps less of a change of the impact speed than this part is taken to keep it: Newton's method needs a slope.
 pub(super) const LEAST_KEPT: f64 = 0.1;
-
-/// Makes the logistic of a standard normal nearly uniform from 0 to 1.
-const KNEE_PLACE: f64 = 1.6;
 
 /// So many flights tell the noise to about a fifth; how well they tell the restitution then depends little on it.
 pub(super) const MANY_FLIGHTS: usize = 16;
@@ -101,11 +89,8 @@ impl ExpectedRestitution {
 /// The middle of what was detected, at which laws are pinned.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ReferenceSpeed {
-    /// v*, the geometric mean of the impact speeds, m/s.
-    pub(super) speed_m_s: f64,
-    /// Slowest and fastest impact, m/s.
-    pub(super) slowest_m_s: f64,
-    pub(super) fastest_m_s: f64,
+    /// The speeds of the impacts; v* is their geometric mean.
+    pub(super) speeds: SpeedRange,
     /// Median of the restitutions, or a guess.
     pub(super) restitution: f64,
     /// Launch speed after the first impact detected, m/s.
@@ -315,21 +300,23 @@ impl<'a> Model<'a> {
             UNSTATED_TIMING_SD
         };
         let inputs = &media.inputs;
-        let wanted = [
+        let shapes = (0..law.shapes()).map(|number| (Slot::Shape(number), true));
+        let before = [
             (Slot::Drag, media.drag_sd > 0.0),
             (Slot::Gravity, inputs.gravity_sd > 0.0),
             (Slot::Inputs, inputs.drag_sd > 0.0),
             (Slot::Restitution, true),
-            (Slot::Shape(0), law.shapes() > 0),
-            (Slot::Shape(1), law.shapes() > 1),
-            (Slot::Shape(2), law.shapes() > 2),
+        ];
+        let after = [
             (Slot::Height, true),
             (Slot::Scatter, true),
             (Slot::Timing, timing_sd > 0.0),
             (Slot::Contact, media.contact_time_s * media.contact_sd > 0.0),
         ];
-        let slots = wanted
+        let slots = before
             .into_iter()
+            .chain(shapes)
+            .chain(after)
             .filter_map(|(slot, wanted)| wanted.then_some(slot))
             .collect();
         Self {
@@ -398,7 +385,7 @@ impl<'a> Model<'a> {
             Slot::Restitution => {
                 let (scatter, timing) = (Lanes([point.scatter]), Lanes([point.timing]));
                 let [unit] = self.restitution_unit(scatter, timing).0;
-                let e = point.law.at(self.middle.speed_m_s);
+                let e = point.law.at(self.middle.speeds.reference_m_s);
                 2.0 * e * (1.0 - e) * unit * unit
             }
             Slot::Height if self.height_m.is_none() => 0.0,
@@ -409,7 +396,7 @@ impl<'a> Model<'a> {
     /// The values that vectors stand for, but for the fall, which takes flights to tell; `None` where the law makes no sense.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(super) fn values<const L: usize>(&self, vectors: &[&[f64]; L]) -> [Option<Point>; L] {
-        let mut values = [Lanes::<L>::all(0.0); 11];
+        let mut values = [Lanes::<L>::all(0.0); 8 + MAX_SHAPES];
         for (place, slot) in self.slots.iter().enumerate() {
             values[index(*slot)] = Lanes::of(|lane| vectors[lane][place]);
         }
@@ -435,10 +422,11 @@ impl<'a> Model<'a> {
         let off = -logit.abs();
         let log_density = off - (off.exp() + 1.0).ln() * 2.0 + unit.ln();
         let contact_time_s = (at(Slot::Contact) * media.contact_sd).exp() * media.contact_time_s;
+        let (law, speeds) = (self.law, &self.middle.speeds);
         std::array::from_fn(|lane| {
-            let shapes = [0, 1, 2].map(|number| at(Slot::Shape(number)).0[lane]);
+            let shapes = std::array::from_fn(|number| at(Slot::Shape(number)).0[lane]);
             Some(Point {
-                law: self.restitution(restitution.0[lane], shapes).ok()?,
+                law: law.of_normals(restitution.0[lane], shapes, speeds).ok()?,
                 drag_scale: drag_scale.0[lane],
                 drag_strength: drag_strength.0[lane],
                 gravity_m_s2: gravity_m_s2.0[lane],
@@ -473,36 +461,6 @@ impl<'a> Model<'a> {
         let sigma_s = square(observed.sigma_s[impact]) + square(observed.sigma_s[impact + 1]);
         let per_duration = sigma_s / square(observed.intervals[impact].duration_s);
         (scatter * scatter + timing * timing * per_duration).sqrt()
-    }
-
-    fn restitution(&self, reference: f64, shapes: [f64; 3]) -> Result<Restitution> {
-        let speed = self.middle.speed_m_s;
-        let (slow, fast) = (self.middle.slowest_m_s, self.middle.fastest_m_s);
-        let slope = SLOPE_SD * shapes[0];
-        match self.law {
-            LawKind::Constant => Restitution::constant(reference),
-            LawKind::Linear => {
-                let loss_per_speed = reference * slope / fast;
-                Restitution::linear(reference + loss_per_speed * speed, loss_per_speed)
-            }
-            LawKind::Power => Restitution::power(reference, speed, slope),
-            LawKind::Viscoelastic => Restitution::viscoelastic_through(reference, speed),
-            LawKind::Knee => {
-                let knee = slow * (fast / slow).powf(logistic(KNEE_PLACE * shapes[0]));
-                let fall = KNEE_FALL * shapes[1].exp();
-                Restitution::knee(reference, knee, reference * fall / knee)
-            }
-            LawKind::Smooth => {
-                let middle = SMOOTH_SLOPE * shapes[0].sinh();
-                let walk = |range: f64| SLOPE_WALK * range.ln().sqrt();
-                let slopes = [
-                    middle + walk(speed / slow) * shapes[1],
-                    middle,
-                    middle + walk(fast / speed) * shapes[2],
-                ];
-                Restitution::smooth(reference, [slow, speed, fast], slopes)
-            }
-        }
     }
 
     /// Where a search may begin: what impacts differ by is scatter, or errors of the times, whichever is more probable.
@@ -546,9 +504,7 @@ impl<'a> Model<'a> {
             .map(|slot| match slot {
                 Slot::Restitution => (e / (1.0 - e)).ln(),
                 Slot::Height => height,
-                // A knee in the fast impacts, and not steep: from there the search can go anywhere.
-                Slot::Shape(0) if self.law == LawKind::Knee => 1.0,
-                Slot::Shape(1) if self.law == LawKind::Knee => -1.0,
+                Slot::Shape(number) => self.law.start(*number),
                 Slot::Scatter => scatter.clamp(-3.0, 3.0),
                 Slot::Timing => timing.clamp(-3.0, 3.0),
                 _ => 0.0,
@@ -561,9 +517,13 @@ impl<'a> Model<'a> {
     pub(super) fn start_from(&self, fitted: &Self, fit: &[f64]) -> Vec<f64> {
         let same_law = self.law == fitted.law;
         let point = fitted.point(fit).filter(|_| !same_law);
-        let log_slope = point.map(|point| point.law.log_slope(self.middle.speed_m_s));
+        let log_slope = point.map(|point| point.law.log_slope(self.middle.speeds.reference_m_s));
+        let many_flights = self.observed.intervals.len() >= MANY_FLIGHTS;
         let known = |slot: &Slot| match slot {
-            Slot::Shape(0) if !same_law => self.shape_of_log_slope(log_slope?),
+            Slot::Shape(0) if !same_law => {
+                self.law
+                    .normal_of_slope(log_slope?, &self.middle.speeds, many_flights)
+            }
             Slot::Shape(_) if !same_law => None,
             Slot::Height if self.missed_first != fitted.missed_first => None,
             _ => fitted.place(*slot).map(|place| fit[place]),
@@ -572,21 +532,6 @@ impl<'a> Model<'a> {
         usual
             .map(|(slot, usual)| known(slot).unwrap_or(usual))
             .collect()
-    }
-
-    /// The first number of the law besides e*, as a standard normal, with which it has a slope d ln e/d ln v at v*; `None`
-    /// where that takes more than this number.
-    fn shape_of_log_slope(&self, log_slope: f64) -> Option<f64> {
-        let fast = self.middle.fastest_m_s / self.middle.speed_m_s;
-        match self.law {
-            LawKind::Linear => Some(-log_slope * fast / SLOPE_SD),
-            LawKind::Power => Some(-log_slope / SLOPE_SD),
-            // Few impacts hardly tell a slope, and most of what is probable lies near none.
-            LawKind::Smooth if self.observed.intervals.len() >= MANY_FLIGHTS => {
-                Some((log_slope / SMOOTH_SLOPE).asinh())
-            }
-            _ => None,
-        }
     }
 
     /// Logarithm of the prior density of vectors whose falls have these d ln(height)/d ln(launch).
@@ -655,10 +600,12 @@ impl ReferenceSpeed {
         let fastest_m_s = speeds.clone().fold(0.0, f64::max);
         let mean_log = speeds.map(f64::ln).sum::<f64>() / (rows.len() + 1) as f64;
         Ok(Self {
-            speed_m_s: mean_log.exp(),
-            slowest_m_s,
-            // A knee needs a range even where all impacts are alike.
-            fastest_m_s: fastest_m_s.max(1.05 * slowest_m_s),
+            speeds: SpeedRange {
+                reference_m_s: mean_log.exp(),
+                slowest_m_s,
+                // A knee needs a range even where all impacts are alike.
+                fastest_m_s: fastest_m_s.max(1.05 * slowest_m_s),
+            },
             restitution: middle.map_or(GUESS, f64::exp),
             first_launch_m_s: rows[0].launch,
             scatter: scatter.map(|scatter| scatter.max(1e-4)),
@@ -673,13 +620,13 @@ const GUESS: f64 = 0.8;
 fn index(slot: Slot) -> usize {
     match slot {
         Slot::Restitution => 0,
-        Slot::Shape(number) => 1 + number,
-        Slot::Height => 4,
-        Slot::Drag => 5,
-        Slot::Scatter => 6,
-        Slot::Timing => 7,
-        Slot::Contact => 8,
-        Slot::Gravity => 9,
-        Slot::Inputs => 10,
+        Slot::Height => 1,
+        Slot::Drag => 2,
+        Slot::Scatter => 3,
+        Slot::Timing => 4,
+        Slot::Contact => 5,
+        Slot::Gravity => 6,
+        Slot::Inputs => 7,
+        Slot::Shape(number) => 8 + number,
     }
 }

@@ -5,11 +5,12 @@ use super::budget::{self, Budget};
 use super::findings::ODD_WEIGHT;
 use super::identify::{Correlations, PriorContraction};
 use super::predict;
-use super::priors::{LawKind, Measured};
+use super::priors::Measured;
 use super::sampled::{SampledPosterior, THINNED};
 use crate::diagnostic::Diagnostic;
 use crate::drag::DragLaw;
 use crate::estimate::Estimate;
+use crate::restitution::LawKind;
 
 /// What the times of one drop say, all priors and models considered.
 #[derive(Debug, Clone)]
@@ -252,8 +253,8 @@ impl Posterior {
         const POINTS: usize = 40;
         let points = POINTS;
         let middle = &self.sampled.middle;
-        let fastest = middle.fastest_m_s.max(self.fitted_speeds_m_s[1]);
-        let (from, to) = (0.9 * middle.slowest_m_s, 1.05 * fastest);
+        let fastest = middle.speeds.fastest_m_s.max(self.fitted_speeds_m_s[1]);
+        let (from, to) = (0.9 * middle.speeds.slowest_m_s, 1.05 * fastest);
         let speeds: Vec<f64> = (0..points)
             .map(|point| from + (to - from) * point as f64 / (points.max(2) - 1) as f64)
             .collect();

@@ -12,7 +12,7 @@ use super::sample;
 use super::smoothing::DropState;
 use super::tail;
 use crate::flight::table::BlendedTable;
-use crate::impact::Restitutions;
+use crate::restitution::Restitutions;
 use crate::simd::{LANES, Lanes, dispatch};
 
 /// A drop that has not come to rest after so many bounces never will: from a height of a metre it would keep 99.75 % of
@@ -251,8 +251,8 @@ pub(super) fn rebound_m(model: &Model, point: &Point, drop_height_m: f64) -> Opt
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::impact::Restitution;
     use crate::inference::likelihood::tests::{impacts, with_model};
+    use crate::restitution::Restitution;
 
     /// Drops of unlike futures, more than there are lanes, come to rest as each does alone; one of them never does.
     #[test]

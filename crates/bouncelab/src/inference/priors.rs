@@ -4,6 +4,7 @@ use super::scatter_prior;
 use crate::ball::Preset;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::error::{Quantity, Result, positive, within};
+use crate::restitution::LawKind;
 
 /// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -222,98 +223,6 @@ impl Priors {
         positive(Quantity::RestitutionScatter, self.restitution_scatter)?;
         within(Quantity::SlowLossExponent, self.slow_loss_exponent, 0.0..)?;
         Ok(())
-    }
-}
-
-/// A family of restitution laws whose numbers the inference finds; see
-/// [`Restitution`](crate::impact::Restitution) for each of them.
-///
-/// v* is a speed in the middle of those heard. Every law has e* = e(v*), flat from 0 to 1 before
-/// the data, and the rest as said here.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-#[non_exhaustive]
-pub enum LawKind {
-    /// The same at every speed.
-    Constant,
-    /// A straight line; the share of e that it loses from rest to the fastest impact is normal,
-    /// 0 +- 0.1.
-    Linear,
-    /// A power law; the exponent is normal, 0 +- 0.1.
-    Power,
-    /// A viscoelastic sphere, which has no further number.
-    Viscoelastic,
-    /// Constant below a knee and falling above it; the knee lies anywhere in the speeds heard, and
-    /// the share of e lost from the knee to twice its speed is log-normal, 0.05 with a factor e.
-    Knee,
-    /// None of these, but a slope d ln e/d ln v that changes slowly with ln v: a quadratic spline with
-    /// knots at v*, the slowest and the fastest impact. The slope at v* is 0.03 sinh z with z standard
-    /// normal (of solids it lies anywhere from 0.01, viscoelastic, to 0.25, plastic); it walks
-    /// at random from there, by 0.05 for a factor e in speed.
-    Smooth,
-}
-
-impl LawKind {
-    /// Every law.
-    pub const ALL: [Self; 6] = [
-        Self::Constant,
-        Self::Linear,
-        Self::Power,
-        Self::Viscoelastic,
-        Self::Knee,
-        Self::Smooth,
-    ];
-
-    /// Its name, as in arguments and tables.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Constant => "constant",
-            Self::Linear => "linear",
-            Self::Power => "power",
-            Self::Viscoelastic => "viscoelastic",
-            Self::Knee => "knee",
-            Self::Smooth => "smooth",
-        }
-    }
-
-    /// How many restitutions, at different speeds, it takes to tell it from a constant.
-    pub const fn needs(self) -> usize {
-        match self {
-            Self::Constant => 1,
-            Self::Linear | Self::Power | Self::Viscoelastic => 2,
-            Self::Knee | Self::Smooth => 4,
-        }
-    }
-
-    /// How many numbers it has besides e*.
-    pub(super) const fn shapes(self) -> usize {
-        match self {
-            Self::Constant | Self::Viscoelastic => 0,
-            Self::Linear | Self::Power => 1,
-            Self::Knee => 2,
-            Self::Smooth => 3,
-        }
-    }
-}
-
-impl std::fmt::Display for LawKind {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl std::str::FromStr for LawKind {
-    type Err = crate::Error;
-
-    fn from_str(text: &str) -> Result<Self> {
-        Self::ALL
-            .into_iter()
-            .find(|law| law.name() == text)
-            .ok_or_else(|| {
-                crate::Error::unknown_name("restitution law", text, &Self::ALL.map(Self::name))
-            })
     }
 }
 

@@ -8,7 +8,7 @@ use super::banded::Banded;
 use super::model::Point;
 use super::priors::Measured;
 use crate::flight::table::{FlightTable, Row};
-use crate::impact::Restitutions;
+use crate::restitution::Restitutions;
 use crate::simd::Lanes;
 
 /// An interval as its ends see it, for as many points as there are lanes.

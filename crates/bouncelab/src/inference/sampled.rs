@@ -12,7 +12,7 @@ use super::numbering;
 use super::observed::Observed;
 use super::order::order;
 use super::predict::{self, Future, Rest};
-use super::priors::{LawKind, Priors};
+use super::priors::Priors;
 use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
 use super::smoothing::DropState;
 use super::timed_flights::TimedFlights;
@@ -20,7 +20,8 @@ use crate::ball::Ball;
 use crate::drag::DragLaw;
 use crate::error::{Error, InferenceFailure, Quantity, Result, within};
 use crate::flight::Environment;
-use crate::impact::{Impact, Restitution};
+use crate::impact::Impact;
+use crate::restitution::{LawKind, Restitution};
 use crate::simd::{LANES, one_for_each_lane};
 use crate::stats::sort_by_number;
 use crate::train::LN_MISSED;
@@ -50,17 +51,18 @@ impl Default for SamplerConfig {
 
 impl SamplerConfig {
     /// Random numbers of a candidate alone, so that none depends on what others took nor on its rank, which a
-    /// last digit can change. The first stream of the seed is left for their pool.
+    /// last digit can change. Its stream follows from the name of its law, not from the place of the law in the list. The
+    /// first stream of the seed is left for their pool.
     fn rng_of(&self, candidate: &Candidate) -> ChaCha8Rng {
         let choices = [
-            candidate.law as usize,
-            candidate.media,
-            candidate.missed_first,
-            candidate.numbering,
+            candidate.law.random_stream(),
+            candidate.media as u64,
+            candidate.missed_first as u64,
+            candidate.numbering as u64,
         ];
         let number = choices
             .iter()
-            .fold(0, |number, &choice| number << 8 | choice as u64);
+            .fold(0, |number, &choice| number << 8 | choice);
         let mut rng = ChaCha8Rng::seed_from_u64(self.seed);
         rng.set_stream(1 + number);
         rng
@@ -219,7 +221,7 @@ impl SampledPosterior {
         let middle = ReferenceSpeed::new(&observed, &media[0])?;
         if priors.constant_drag_too && follows_reynolds(environment) {
             // Drag shows most at the fastest impact; four digits are more than anyone knows.
-            let reynolds = environment.air.reynolds(ball, middle.fastest_m_s);
+            let reynolds = environment.air.reynolds(ball, middle.speeds.fastest_m_s);
             let coefficient = environment.drag.coefficient(reynolds)?;
             let rounded = (coefficient * 1e4).round() / 1e4;
             let law = DragLaw::Constant(rounded);

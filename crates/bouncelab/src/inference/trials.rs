@@ -7,7 +7,7 @@ use super::priors::Measured;
 use super::residual::InitialFall;
 use super::timed_flights::FlightsAtStrengths;
 use crate::flight::table::{FlightTable, LEAST_SLOPE, Row};
-use crate::impact::Restitutions;
+use crate::restitution::Restitutions;
 use crate::simd::{Lanes, dispatch};
 
 /// Points that are tried side by side, with what they stand for.

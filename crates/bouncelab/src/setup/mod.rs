@@ -26,7 +26,8 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::drag::DragLaw;
 use crate::flight::Environment;
 use crate::gravity;
-use crate::inference::{LawKind, Measured, Priors, UNKNOWN};
+use crate::inference::{Measured, Priors, UNKNOWN};
+use crate::restitution::LawKind;
 use crate::rulebook::Rule;
 
 pub use contrasts::BallContrast;

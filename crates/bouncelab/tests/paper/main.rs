@@ -8,8 +8,8 @@ use bouncelab::ball::{self, Ball};
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::impact::{Contact, Restitution};
 use bouncelab::regression::{self, LogLinearFit, NumberedFlight};
+use bouncelab::restitution::{Contact, Restitution};
 
 const GRAVITY: f64 = 9.81;
 const DROP_HEIGHT: f64 = 0.305;
