@@ -187,7 +187,7 @@ test('a marker snaps to the onset next to it; sound can be seen and simulated', 
     const request = {
       settings: { gravity_m_s2: 1.62, air_density_kg_m3: 0 },
       height_m: 1,
-      restitution: { law: 'constant' as const, restitution: 0.9 },
+      restitution: '0.9',
       bounces: 5,
     };
     const scene = {

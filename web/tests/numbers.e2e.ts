@@ -166,13 +166,13 @@ describe('the same document as the command line', () => {
         JSON.stringify({
           settings: { ball: 'basketball' },
           height_m: 1.8,
-          restitution: { law: 'linear', at_rest: 0.85, loss_per_speed_s_m: 0.01 },
+          restitution: 'linear:0.85,0.01',
           compare: ['none'],
         }),
         english(),
       ),
     );
-    const words = ['--height', '1.8m', '--restitution', '0.85', '--restitution-slope', '0.01'];
+    const words = ['--height', '1.8m', '--restitution', 'linear:0.85,0.01'];
     const printed = bouncelab(
       ...['simulate', '--ball', 'basketball', '--compare', 'none', '--format', 'json'],
       ...words,

@@ -2,7 +2,7 @@
 
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{Start, Stop};
-use bouncelab::restitution::Restitution;
+use bouncelab::restitution::{LawKind, Restitution};
 use bouncelab::{Diagnostic, Options, plausibility};
 use bouncelab_report::document::simulation::Run;
 use clap::Args;
@@ -25,24 +25,15 @@ pub(crate) struct HistoryArguments {
         conflicts_with = "height", help_heading = "Drop"
     )]
     launch: Option<f64>,
-    /// Coefficient of restitution, 0 to 1; with --restitution-slope, that at speed zero
     #[arg(
         long,
         value_name = "E",
-        default_value_t = 0.935,
+        default_value = "0.935",
         allow_hyphen_values = true,
+        help = restitution_help(),
         help_heading = "Drop"
     )]
-    restitution: f64,
-    /// Decrease of restitution per m/s of impact speed, as in 0.01
-    #[arg(
-        long,
-        value_name = "SLOPE",
-        default_value_t = 0.0,
-        allow_hyphen_values = true,
-        help_heading = "Drop"
-    )]
-    restitution_slope: f64,
+    restitution: String,
     /// Stop when the ball no longer rises above this height (default: 1mm, unless --bounces is given)
     #[arg(
         long, value_name = "HEIGHT", allow_hyphen_values = true, value_parser = units::length,
@@ -62,15 +53,20 @@ impl HistoryArguments {
 
     /// Simulates the drop under a drag law, all else being as in the options.
     pub(crate) fn run(&self, law: DragLaw, options: &Options) -> Result<Run, Failure> {
-        let restitution = if self.restitution_slope == 0.0 {
-            Restitution::constant(self.restitution)?
-        } else {
-            Restitution::linear(self.restitution, self.restitution_slope)?
-        };
+        let restitution: Restitution = self.restitution.parse()?;
         let start = self
             .launch
             .map_or(Start::Height(self.height), Start::Launch);
         let stop = Stop::asked(self.until, self.bounces);
         Ok(Run::simulate(law, options, restitution, start, stop)?)
     }
+}
+
+/// Names each law with an example, so that the help offers every law that there is.
+fn restitution_help() -> String {
+    let laws = LawKind::ALL.map(|law| format!("{} (e = {})", law.example(), law.meaning()));
+    format!(
+        "Coefficient of restitution, 0 to 1, or a law of the impact speed v in m/s: {}",
+        laws.join("; ")
+    )
 }

@@ -5,6 +5,7 @@
 use std::path::PathBuf;
 
 use bouncelab_report::paper::{self, Chapter, Document, Explanation, Fact};
+use bouncelab_report::tables::restitution_law;
 use bouncelab_report::{Align, Table, save};
 use clap::{Args, ValueEnum};
 
@@ -131,7 +132,7 @@ fn puzzle(explanations: &[Explanation]) -> String {
             "puzzle-no"
         };
         table.row([
-            text(&format!("paper-law-{}", explanation.restitution_law)),
+            restitution_law(explanation.restitution_law, words),
             text(&format!("paper-air-{}", explanation.drag)),
             explanation.flights.to_string(),
             words.fixed(explanation.restitution_at_first, 4),

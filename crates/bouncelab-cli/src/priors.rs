@@ -3,6 +3,7 @@
 use bouncelab::analysis::Options;
 use bouncelab::drag::DragLaw;
 use bouncelab::inference::{ApexTarget, Priors, SamplerConfig};
+use bouncelab::restitution::LawKind;
 use bouncelab::setup::{self, Settings, Setup};
 use clap::{Args, ValueEnum};
 
@@ -25,9 +26,7 @@ pub(crate) struct PriorArguments {
     /// Standard uncertainty of the release time [default: 5ms]
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time, requires = "release")]
     release_sd: Option<f64>,
-    /// Restitution laws to consider: constant, linear, power, viscoelastic, knee, smooth [default:
-    /// all that the number of impacts allows]
-    #[arg(long, value_name = "LAWS", value_delimiter = ',')]
+    #[arg(long, value_name = "LAWS", value_delimiter = ',', help = laws_help())]
     law: Vec<String>,
     /// Relative standard uncertainty of an input, as in mass=0.1% or drag=0: mass, diameter,
     /// air-density, gravity, added-mass, drag (around its law), contact-time, timing (of the stated
@@ -56,6 +55,11 @@ pub(crate) struct PriorArguments {
     /// Skip the inference, for speed
     #[arg(long, conflicts_with_all = ["reach", "at_speed", "infer"])]
     no_inference: bool,
+}
+
+fn laws_help() -> String {
+    let laws = LawKind::ALL.map(LawKind::name).join(", ");
+    format!("Restitution laws to consider: {laws} [default: all that the number of impacts allows]")
 }
 
 /// What may be left to the data.

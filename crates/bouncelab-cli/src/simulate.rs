@@ -45,7 +45,7 @@ Examples:
   bouncelab simulate --height 30.5cm --restitution 0.935
   bouncelab simulate --compare none --compare constant:0.4 --figures figures
   bouncelab simulate --ball tennis --height 2.54m --restitution 0.75 --bounces 5 --format csv
-  bouncelab simulate --restitution 0.95 --restitution-slope 0.01    e falls with speed
+  bouncelab simulate --restitution linear:0.95,0.01              e falls with speed
   bouncelab simulate --air-density 0 --gravity 1.62                 on the Moon";
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -5,6 +5,7 @@ use bouncelab::ball;
 use bouncelab::diagnostic::{Code, Diagnostic};
 use bouncelab::drag::DragLaw;
 use bouncelab::gravity;
+use bouncelab::restitution::LawKind;
 use bouncelab_report::messages::{self, Translator};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -80,6 +81,14 @@ pub(crate) fn balls() -> Vec<(&'static str, &'static str, f64, f64, f64, &'stati
 pub(crate) fn drag_laws() -> Vec<(&'static str, f64)> {
     let laws = DragLaw::NAMED.iter();
     laws.map(|law| (law.name(), law.max_reynolds())).collect()
+}
+
+/// The restitution laws: name, example and its formula.
+#[pyfunction]
+pub(crate) fn restitution_laws() -> Vec<(&'static str, &'static str, &'static str)> {
+    LawKind::ALL
+        .map(|law| (law.name(), law.example(), law.meaning()))
+        .into()
 }
 
 /// The drag coefficient at each Reynolds number.

@@ -30,8 +30,7 @@ use crate::table::Table;
 struct Request {
     height_m: f64,
     launch_speed_m_s: Option<f64>,
-    restitution: f64,
-    restitution_slope_s_m: f64,
+    restitution: String,
     until_m: Option<f64>,
     bounces: Option<usize>,
 }
@@ -56,11 +55,7 @@ struct SceneRequest {
 
 impl Request {
     fn run(&self, analyzer: &Analyzer) -> Result<Run> {
-        let restitution = if self.restitution_slope_s_m == 0.0 {
-            Restitution::constant(self.restitution)?
-        } else {
-            Restitution::linear(self.restitution, self.restitution_slope_s_m)?
-        };
+        let restitution: Restitution = self.restitution.parse()?;
         let launched = self.launch_speed_m_s.map(Start::Launch);
         let start = launched.unwrap_or(Start::Height(self.height_m));
         let stop = Stop::asked(self.until_m, self.bounces);

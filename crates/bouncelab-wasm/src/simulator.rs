@@ -5,7 +5,6 @@ use bouncelab::demo;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{History, Start, Stop};
 use bouncelab::impact::Strike;
-use bouncelab::restitution::Restitution;
 use bouncelab::setup::Settings;
 use bouncelab::synth::{self, BitDepth, Noise, Rendered, Scene, Voice};
 use bouncelab_report::Chart;
@@ -16,7 +15,7 @@ use bouncelab_report::messages::Translator;
 use bouncelab_report::theme::Meaning;
 
 use crate::refusal::{Result, unknown};
-use crate::wire::{Demo, RestitutionLaw, SceneRequest, SimulationRequest, SimulationRun};
+use crate::wire::{Demo, SceneRequest, SimulationRequest, SimulationRun};
 
 /// Points of a curve.
 const POINTS: usize = 4000;
@@ -90,38 +89,12 @@ fn run(law: DragLaw, settings: &Options, request: &SimulationRequest) -> Result<
     let start = Start::Height(request.height_m);
     let bounces = request.bounces.map(|bounces| bounces as usize);
     let stop = Stop::asked(request.until_m, bounces);
-    let restitution = request.restitution.law()?;
+    let restitution = request.restitution.parse()?;
     Ok(Run::simulate(law, settings, restitution, start, stop)?)
 }
 
 fn history(settings: &Options, request: &SimulationRequest) -> Result<History> {
     Ok(run(settings.environment.drag, settings, request)?.history)
-}
-
-impl RestitutionLaw {
-    fn law(self) -> bouncelab::Result<Restitution> {
-        match self {
-            Self::Constant { restitution } => Restitution::constant(restitution),
-            Self::Linear {
-                at_rest,
-                loss_per_speed_s_m,
-            } => Restitution::linear(at_rest, loss_per_speed_s_m),
-            Self::Power {
-                restitution,
-                at_speed_m_s,
-                exponent,
-            } => Restitution::power(restitution, at_speed_m_s, exponent),
-            Self::Viscoelastic {
-                restitution,
-                at_speed_m_s,
-            } => Restitution::viscoelastic_through(restitution, at_speed_m_s),
-            Self::Knee {
-                below,
-                knee_speed_m_s,
-                loss_per_speed_s_m,
-            } => Restitution::knee(below, knee_speed_m_s, loss_per_speed_s_m),
-        }
-    }
 }
 
 /// The sound of the drop of a request, under the drag law of its settings.

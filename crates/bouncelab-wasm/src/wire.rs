@@ -279,8 +279,8 @@ pub struct SimulationRequest {
     pub settings: Settings,
     /// Height of release.
     pub height_m: f64,
-    /// What a bounce keeps.
-    pub restitution: RestitutionLaw,
+    /// Restitution, or a law of it with its numbers, such as `power:0.9,1,0.25`.
+    pub restitution: String,
     /// Simulate with these drag laws too.
     #[serde(default)]
     pub compare: Option<Vec<String>>,
@@ -290,50 +290,6 @@ pub struct SimulationRequest {
     /// Stop after this number of bounces.
     #[serde(default)]
     pub bounces: Option<u32>,
-}
-
-/// A restitution law with its numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-#[serde(tag = "law", rename_all = "kebab-case")]
-pub enum RestitutionLaw {
-    /// The same at every speed.
-    Constant {
-        /// The restitution.
-        restitution: f64,
-    },
-    /// A straight line over the speed.
-    Linear {
-        /// Restitution at speed zero.
-        at_rest: f64,
-        /// What it loses for each m/s.
-        loss_per_speed_s_m: f64,
-    },
-    /// A power law.
-    Power {
-        /// Restitution at the reference speed.
-        restitution: f64,
-        /// The reference speed.
-        at_speed_m_s: f64,
-        /// -d ln e/d ln v.
-        exponent: f64,
-    },
-    /// A viscoelastic sphere.
-    Viscoelastic {
-        /// Restitution at the reference speed.
-        restitution: f64,
-        /// The reference speed.
-        at_speed_m_s: f64,
-    },
-    /// Constant below a knee, falling above it.
-    Knee {
-        /// Restitution below the knee.
-        below: f64,
-        /// Speed of the knee.
-        knee_speed_m_s: f64,
-        /// What it loses for each m/s above.
-        loss_per_speed_s_m: f64,
-    },
 }
 
 /// A simulated drop to be compared with others.

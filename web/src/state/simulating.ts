@@ -72,10 +72,7 @@ export function requestOf(asked: SimulationSetup): SimulationRequest {
   return {
     settings: { ball, drag, ...inAir },
     height_m: heightM,
-    restitution:
-      slope === 0
-        ? { law: 'constant', restitution }
-        : { law: 'power', restitution, at_speed_m_s: AT_SPEED_M_S, exponent: slope },
+    restitution: slope === 0 ? `${restitution}` : `power:${restitution},${AT_SPEED_M_S},${slope}`,
   };
 }
 

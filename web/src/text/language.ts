@@ -1,16 +1,20 @@
 /**
- * The words of the page: messages in Fluent, the file `page.ftl` of each language. English comes with the
- * page, the others when they are chosen, together with what the engine needs to speak them.
+ * The words of the page: messages in Fluent, the files `page.ftl` and `names.ftl` of each language. English comes with
+ * the page, the others when they are chosen, together with what the engine needs to speak them.
  */
 import { FluentBundle, FluentNumber, FluentResource } from '@fluent/bundle';
 import { batch, computed, signal } from '@preact/signals';
-import english from '../../../crates/bouncelab-report/messages/en/page.ftl?raw';
+import englishNames from '../../../crates/bouncelab-report/messages/en/names.ftl?raw';
+import englishPage from '../../../crates/bouncelab-report/messages/en/page.ftl?raw';
 import { recall, remember } from '../address/memory.ts';
 import { ENGLISH, type Messages } from '../lab/index.ts';
 
 const KEY = 'bouncelab.language';
 const FALLBACK = 'en';
+/** What only the page shows, and names that the engine shows too. */
 const PAGE = '/page.ftl';
+const NAMES = '/names.ftl';
+const english = [englishPage, englishNames];
 
 /** All messages, file by file, but for English, which is part of page and engine. */
 const files = import.meta.glob<string>(
@@ -66,9 +70,9 @@ export function parts(id: string, values: Values = {}): readonly string[] {
   return all.map((part, index) => (index % 2 === 0 ? part : String(values[part])));
 }
 
-function bundleOf(code: string, source: string): FluentBundle {
+function bundleOf(code: string, files: readonly string[]): FluentBundle {
   const made = new FluentBundle(code, { useIsolating: false });
-  made.addResource(new FluentResource(source));
+  for (const source of files) made.addResource(new FluentResource(source));
   return made;
 }
 
@@ -96,10 +100,11 @@ export function preferred(): string {
   return codes.find((code) => languages.includes(code)) ?? FALLBACK;
 }
 
-/** The messages of a language: those of the page, and file by file those of the engine. */
-async function sourcesOf(code: string): Promise<[string, string[]]> {
+/** The messages of a language, file by file: those of the page, and those of the engine. */
+async function sourcesOf(code: string): Promise<[string[], string[]]> {
   const own = Object.entries(files).filter(([path]) => codeOf(path) === code);
   const loaded = await Promise.all(own.map(async ([path, load]) => [path, await load()] as const));
-  const page = loaded.find(([path]) => path.endsWith(PAGE))?.[1] ?? english;
-  return [page, loaded.filter(([path]) => !path.endsWith(PAGE)).map(([, source]) => source)];
+  const ofPage = loaded.filter(([path]) => path.endsWith(PAGE) || path.endsWith(NAMES));
+  const ofEngine = loaded.filter(([path]) => !path.endsWith(PAGE));
+  return [ofPage.map(([, source]) => source), ofEngine.map(([, source]) => source)];
 }

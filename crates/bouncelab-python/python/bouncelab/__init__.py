@@ -55,6 +55,7 @@ if TYPE_CHECKING:
     from bouncelab._figure import Figure
     from bouncelab._physics import (
         DragLaw,
+        RestitutionLaw,
         air,
         air_density_kg_m3,
         air_viscosity_pa_s,
@@ -66,6 +67,7 @@ if TYPE_CHECKING:
         gravity_m_s2,
         languages,
         presets,
+        restitution_laws,
         terminal_speed_m_s,
     )
     from bouncelab._recording import Draws, Drop, Drops, Recording
@@ -90,8 +92,8 @@ _PLACES = {
     ),
     "_figure": "Figure",
     "_physics": (
-        "DragLaw air air_density_kg_m3 air_viscosity_pa_s diagnostic_codes drag_coefficient drag_laws falls "
-        "flights gravity_m_s2 languages presets terminal_speed_m_s"
+        "DragLaw RestitutionLaw air air_density_kg_m3 air_viscosity_pa_s diagnostic_codes drag_coefficient drag_laws "
+        "falls flights gravity_m_s2 languages presets restitution_laws terminal_speed_m_s"
     ),
     "_recording": "Draws Drop Drops Recording",
     "_session": "Study session",

@@ -124,7 +124,7 @@ def analyze(
         first_detected : bool
             Whether the first impact detected is the first there was.
         restitution_laws : list of str
-            Laws to weigh: constant, linear, power, viscoelastic, knee; all if left out.
+            Names of :func:`restitution_laws` to weigh; all if left out.
         infer : list of str
             What to leave to the data: gravity, drag, contact-time.
         flights : tuple of int

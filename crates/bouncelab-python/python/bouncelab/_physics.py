@@ -38,6 +38,31 @@ class DragLaw:
     max_reynolds: float
 
 
+@dataclass(frozen=True, slots=True)
+class RestitutionLaw:
+    """A restitution law.
+
+    Attributes
+    ----------
+    name : str
+        As in ``restitution_laws=`` of :func:`analyze`.
+    example : str
+        A law of this kind, as in ``restitution=`` of :func:`simulate`.
+    meaning : str
+        Its restitution at the impact speed v in m/s.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> {law.example: law.meaning for law in bl.restitution_laws()}["linear:0.96,0.01"]
+    '0.96 - 0.01 v'
+    """
+
+    name: str
+    example: str
+    meaning: str
+
+
 def presets() -> tuple[Ball, ...]:
     """Return the balls whose mass and size the rules of their sport fix.
 
@@ -70,6 +95,24 @@ def drag_laws() -> tuple[DragLaw, ...]:
     True
     """
     return tuple(DragLaw(*law) for law in _core.drag_laws())
+
+
+def restitution_laws() -> tuple[RestitutionLaw, ...]:
+    """Return the restitution laws that drops can be simulated with and that the inference weighs.
+
+    Returns
+    -------
+    tuple of RestitutionLaw
+        Each with an example.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> example = bl.restitution_laws()[0].example
+    >>> float(bl.simulate(restitution=example, bounces=3).bounces["restitution"][0])
+    0.9
+    """
+    return tuple(RestitutionLaw(*law) for law in _core.restitution_laws())
 
 
 def drag_coefficient(reynolds: ArrayLike, law: str = "clift-grace-weber") -> NDArray[np.float64]:

@@ -211,8 +211,7 @@ def simulate(
     *,
     height_m: float = 0.305,
     launch_speed_m_s: float | None = None,
-    restitution: float = 0.935,
-    restitution_slope_s_m: float = 0.0,
+    restitution: float | str = 0.935,
     until_m: float | None = None,
     bounces: int | None = None,
     **settings: Unpack[PhysicsSettings],
@@ -225,10 +224,9 @@ def simulate(
         Height of the release, surface to lowest point of the ball, in m.
     launch_speed_m_s : float, optional
         Start upwards from the surface instead, at this speed in m/s.
-    restitution : float
-        Coefficient of restitution, 0 to 1; with a slope, that at speed zero.
-    restitution_slope_s_m : float
-        How much the restitution falls for each m/s of impact speed.
+    restitution : float or str
+        Coefficient of restitution, 0 to 1, or a law of the impact speed, such as ``"linear:0.95,0.01"``;
+        :func:`restitution_laws` has an example of each.
     until_m : float, optional
         Stop when the ball rises no higher; 1 mm, unless ``bounces`` is given.
     bounces : int, optional
@@ -260,8 +258,7 @@ def simulate(
     request = {
         "height_m": number("height_m", height_m),
         "launch_speed_m_s": _optional("launch_speed_m_s", launch_speed_m_s),
-        "restitution": number("restitution", restitution),
-        "restitution_slope_s_m": number("restitution_slope_s_m", restitution_slope_s_m),
+        "restitution": _law(restitution),
         "until_m": _optional("until_m", until_m),
         "bounces": None if bounces is None else count("bounces", bounces),
     }
@@ -284,8 +281,7 @@ def synthesize(
     tail_s: float = 0.5,
     height_m: float = 0.305,
     launch_speed_m_s: float | None = None,
-    restitution: float = 0.935,
-    restitution_slope_s_m: float = 0.0,
+    restitution: float | str = 0.935,
     until_m: float | None = None,
     bounces: int | None = None,
     **settings: Unpack[PhysicsSettings],
@@ -309,7 +305,9 @@ def synthesize(
         the impacts that is left out; level at which the sound is cut off.
     lead_in_s, tail_s : float
         Time before the release, and after the last impact.
-    height_m, launch_speed_m_s, restitution, restitution_slope_s_m, until_m : float
+    height_m, launch_speed_m_s, until_m : float
+        As of :func:`simulate`.
+    restitution : float or str
         As of :func:`simulate`.
     bounces : int, optional
         As of :func:`simulate`.
@@ -336,7 +334,6 @@ def synthesize(
         height_m=height_m,
         launch_speed_m_s=launch_speed_m_s,
         restitution=restitution,
-        restitution_slope_s_m=restitution_slope_s_m,
         until_m=until_m,
         bounces=bounces,
         **settings,
@@ -359,6 +356,13 @@ def synthesize(
 
     samples, impacts = simulation._core.sound(json.dumps(scene))
     return Sound(np.frombuffer(samples, dtype=np.float32), int(sample_rate_hz), Table(impacts), simulation)
+
+
+def _law(restitution: float | str) -> str:
+    """Return a restitution as the text of a law: a number is a constant restitution."""
+    if isinstance(restitution, str):
+        return restitution
+    return repr(number("restitution", restitution))
 
 
 def _optional(name: str, value: object) -> float | None:

@@ -234,13 +234,6 @@ page-settings-drag-none = keiner, als gäbe es keine Luft
 page-settings-drag-constant = gleichbleibend, C_D = 0,4
 page-settings-restitution-law = Stoßzahl
 page-settings-restitution-any = jedes Gesetz, das passt
-
-page-settings-laws-constant = bei jedem Tempo gleich
-page-settings-laws-linear = linear im Tempo
-page-settings-laws-power = Potenzgesetz
-page-settings-laws-viscoelastic = viskoelastisch
-page-settings-laws-knee = gleich bis zu einem Knick
-page-settings-laws-smooth = glatt, ohne Gesetz
 page-settings-measured = Der Versuch, falls gemessen
 page-settings-height = Fallhöhe
 page-settings-height-sd = ± der Höhe
@@ -363,7 +356,7 @@ page-paper-five-height = h₀ der Geraden
 page-paper-five-same = Die 26,7 cm des Aufsatzes?
 page-paper-five-yes = ja
 page-paper-five-no = nein
-page-paper-five-caption = Modelle, für die die Ausgleichsgerade e = 0,9375 ergibt
+page-paper-five-caption = Modelle, für die die Ausgleichsgerade e = 0,9375 ergibt; Knicke liegen bei 1,5 m/s
 
 page-paper-six-title = 6. Alle Zahlen des Aufsatzes
 page-paper-six-lead = Wie gedruckt und wie hier berechnet. Druckfehler der Gleichungen sind berichtigt.
@@ -384,11 +377,6 @@ page-paper-air-names-constant = C_D = 0,4
 page-paper-air-names-sphere = C_D(Re)
 page-paper-air-names-all-of-air = C_D(Re), Auftrieb, mitbewegte Luft
 
-page-paper-law-names-constant = gleichbleibend
-page-paper-law-names-viscoelastic = viskoelastisch
-page-paper-law-names-linear = fallend, linear
-page-paper-law-names-power = fallend, Potenzgesetz
-page-paper-law-names-knee = fallend über 1,5 m/s
 page-paper-try-it = Jetzt selbst einen Ball fallen lassen
 
 page-drops-title = Tabelle der Versuche

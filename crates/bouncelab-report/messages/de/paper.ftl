@@ -57,11 +57,6 @@ paper-verdict-agrees-within-reading = stimmt, soweit ablesbar
 paper-verdict-misprint = Druckfehler
 paper-verdict-differs = weicht ab
 
-paper-law-constant = gleichbleibend
-paper-law-viscoelastic = viskoelastisch
-paper-law-linear = linear
-paper-law-power = Potenzgesetz
-paper-law-knee = Knick bei 1,5 m/s
 paper-air-none = keine
 paper-air-constant = C_D = 0,4
 paper-air-sphere = C_D(Re)

@@ -77,12 +77,5 @@ source-added-mass = mitbewegte Luft
 source-choice-of-law = Wahl des Gesetzes
 source-number-of-impacts = Zahl der Aufpralle
 
-restitution-law-constant = gleichbleibend
-restitution-law-linear = linear
-restitution-law-power = Potenzgesetz
-restitution-law-viscoelastic = viskoelastisch
-restitution-law-knee = mit Knick
-restitution-law-smooth = glatt, ohne Gesetz
-
 drag-none = keiner
 drag-constant = C_D = { $coefficient }

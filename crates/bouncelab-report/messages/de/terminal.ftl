@@ -94,7 +94,7 @@ puzzle-solved = die 26,7 des Aufsatzes?
 puzzle-yes = ja
 puzzle-no = nein
 puzzle-answer =
-    Jedes Gesetz ist so gewählt, dass die Gerade e = 0,9375 ergibt. Luftwiderstand mit gleichbleibender
+    Jedes Gesetz ist so gewählt, dass die Gerade e = 0,9375 ergibt; Knicke liegen bei 1,5 m/s. Luftwiderstand mit gleichbleibender
     Stoßzahl gibt 26,7 cm erst mit etwa 21 Flügen in der Geraden; mit zehn Flügen muss die Stoßzahl auch
     mit dem Tempo fallen. Die Ausgleichsgerade kann beides nicht unterscheiden, denn ihr Ergebnis hängt
     von der Zahl der Flüge ab.

@@ -236,13 +236,6 @@ page-settings-drag-none = none, air neglected
 page-settings-drag-constant = constant, C_D = 0.4
 page-settings-restitution-law = Restitution
 page-settings-restitution-any = all laws
-
-page-settings-laws-constant = the same at every speed
-page-settings-laws-linear = linear in speed
-page-settings-laws-power = power law
-page-settings-laws-viscoelastic = viscoelastic
-page-settings-laws-knee = constant below a knee
-page-settings-laws-smooth = smooth, of no law
 page-settings-measured = The drop, if measured
 page-settings-height = Drop height
 page-settings-height-sd = ± of the height
@@ -365,7 +358,7 @@ page-paper-five-height = h₀ of the fit
 page-paper-five-same = The paper’s 26.7 cm?
 page-paper-five-yes = yes
 page-paper-five-no = no
-page-paper-five-caption = Models for which the log-linear fit gives e = 0.9375
+page-paper-five-caption = Models for which the log-linear fit gives e = 0.9375; knees are at 1.5 m/s
 
 page-paper-six-title = 6. Every number of the paper
 page-paper-six-lead = As printed, and as computed here. Misprints of the equations are corrected.
@@ -386,11 +379,6 @@ page-paper-air-names-constant = C_D = 0.4
 page-paper-air-names-sphere = C_D(Re)
 page-paper-air-names-all-of-air = C_D(Re), buoyancy, added mass
 
-page-paper-law-names-constant = constant
-page-paper-law-names-viscoelastic = viscoelastic
-page-paper-law-names-linear = falling, linear
-page-paper-law-names-power = falling, power law
-page-paper-law-names-knee = falling above 1.5 m/s
 page-paper-try-it = Now drop a ball yourself
 
 page-drops-title = Table of drops

@@ -59,11 +59,6 @@ paper-verdict-agrees-within-reading = agrees within reading
 paper-verdict-misprint = misprint
 paper-verdict-differs = differs
 
-paper-law-constant = constant
-paper-law-viscoelastic = viscoelastic
-paper-law-linear = linear
-paper-law-power = power
-paper-law-knee = knee at 1.5 m/s
 paper-air-none = none
 paper-air-constant = C_D = 0.4
 paper-air-sphere = C_D(Re)

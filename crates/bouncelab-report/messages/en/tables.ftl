@@ -77,12 +77,5 @@ source-added-mass = added mass
 source-choice-of-law = choice of law
 source-number-of-impacts = number of impacts
 
-restitution-law-constant = constant
-restitution-law-linear = linear
-restitution-law-power = power
-restitution-law-viscoelastic = viscoelastic
-restitution-law-knee = knee
-restitution-law-smooth = smooth
-
 drag-none = none
 drag-constant = C_D = { $coefficient }

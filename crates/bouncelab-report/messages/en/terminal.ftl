@@ -96,7 +96,7 @@ puzzle-solved = the paper's 26.7?
 puzzle-yes = yes
 puzzle-no = no
 puzzle-answer =
-    Each law was chosen so that the fit gives e = 0.9375. Drag with a constant restitution
+    Each law was chosen so that the fit gives e = 0.9375; knees are at 1.5 m/s. Drag with a constant restitution
     gives 26.7 cm only with about 21 flights in the fit; with ten flights the restitution must
     also fall with speed. The log-linear fit cannot distinguish the two, because its result
     depends on the number of flights.

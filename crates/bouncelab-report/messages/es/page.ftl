@@ -237,13 +237,6 @@ page-settings-drag-none = ninguno, sin contar el aire
 page-settings-drag-constant = constante, C_D = 0,4
 page-settings-restitution-law = Restitución
 page-settings-restitution-any = todas las leyes
-
-page-settings-laws-constant = la misma a toda velocidad
-page-settings-laws-linear = lineal en la velocidad
-page-settings-laws-power = ley potencial
-page-settings-laws-viscoelastic = viscoelástica
-page-settings-laws-knee = constante bajo un codo
-page-settings-laws-smooth = suave, sin ley
 page-settings-measured = El ensayo, si se midió
 page-settings-height = Altura de caída
 page-settings-height-sd = ± de la altura
@@ -366,7 +359,7 @@ page-paper-five-height = h₀ del ajuste
 page-paper-five-same = ¿Los 26,7 cm del artículo?
 page-paper-five-yes = sí
 page-paper-five-no = no
-page-paper-five-caption = Modelos cuyo ajuste log-lineal da e = 0,9375
+page-paper-five-caption = Modelos cuyo ajuste log-lineal da e = 0,9375; los codos están a 1,5 m/s
 
 page-paper-six-title = 6. Cada número del artículo
 page-paper-six-lead = Como está impreso, y como se calcula aquí. Las erratas de las ecuaciones están corregidas.
@@ -387,11 +380,6 @@ page-paper-air-names-constant = C_D = 0,4
 page-paper-air-names-sphere = C_D(Re)
 page-paper-air-names-all-of-air = C_D(Re), empuje, masa añadida
 
-page-paper-law-names-constant = constante
-page-paper-law-names-viscoelastic = viscoelástica
-page-paper-law-names-linear = decreciente, lineal
-page-paper-law-names-power = decreciente, ley potencial
-page-paper-law-names-knee = decreciente sobre 1,5 m/s
 page-paper-try-it = Ahora deje caer usted una pelota
 
 page-drops-title = Tabla de ensayos

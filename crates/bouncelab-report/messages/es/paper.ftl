@@ -57,11 +57,6 @@ paper-verdict-agrees-within-reading = coincide según lectura
 paper-verdict-misprint = errata
 paper-verdict-differs = difiere
 
-paper-law-constant = constante
-paper-law-viscoelastic = viscoelástica
-paper-law-linear = lineal
-paper-law-power = potencial
-paper-law-knee = codo a 1,5 m/s
 paper-air-none = ninguno
 paper-air-constant = C_D = 0,4
 paper-air-sphere = C_D(Re)

@@ -75,12 +75,5 @@ source-added-mass = masa añadida
 source-choice-of-law = elección de la ley
 source-number-of-impacts = número de impactos
 
-restitution-law-constant = constante
-restitution-law-linear = lineal
-restitution-law-power = potencial
-restitution-law-viscoelastic = viscoelástica
-restitution-law-knee = con codo
-restitution-law-smooth = suave
-
 drag-none = ninguno
 drag-constant = C_D = { $coefficient }

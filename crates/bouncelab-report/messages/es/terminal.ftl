@@ -95,7 +95,7 @@ puzzle-solved = ¿26,7 del artículo?
 puzzle-yes = sí
 puzzle-no = no
 puzzle-answer =
-    Cada ley se eligió de modo que el ajuste dé e = 0,9375. El arrastre con restitución constante
+    Cada ley se eligió de modo que el ajuste dé e = 0,9375; los codos están a 1,5 m/s. El arrastre con restitución constante
     da 26,7 cm solo con unos 21 vuelos en el ajuste; con diez vuelos la restitución debe además
     decrecer con la velocidad. El ajuste log-lineal no puede distinguir los dos casos, porque su
     resultado depende del número de vuelos.

@@ -237,13 +237,6 @@ page-settings-drag-none = aucune, air négligé
 page-settings-drag-constant = constante, C_D = 0,4
 page-settings-restitution-law = Restitution
 page-settings-restitution-any = toutes les lois
-
-page-settings-laws-constant = la même à toute vitesse
-page-settings-laws-linear = linéaire en vitesse
-page-settings-laws-power = loi de puissance
-page-settings-laws-viscoelastic = viscoélastique
-page-settings-laws-knee = constante avant un coude
-page-settings-laws-smooth = lisse, sans loi
 page-settings-measured = L’essai, s’il est mesuré
 page-settings-height = Hauteur de chute
 page-settings-height-sd = ± de la hauteur
@@ -366,7 +359,7 @@ page-paper-five-height = h₀ ajustée
 page-paper-five-same = Les 26,7 cm de l’article ?
 page-paper-five-yes = oui
 page-paper-five-no = non
-page-paper-five-caption = Modèles dont l’ajustement log-linéaire donne e = 0,9375
+page-paper-five-caption = Modèles dont l’ajustement log-linéaire donne e = 0,9375 ; les coudes sont à 1,5 m/s
 
 page-paper-six-title = 6. Chaque nombre de l’article
 page-paper-six-lead = Tel qu’imprimé, et tel que calculé ici. Les coquilles des équations sont corrigées.
@@ -387,11 +380,6 @@ page-paper-air-names-constant = C_D = 0,4
 page-paper-air-names-sphere = C_D(Re)
 page-paper-air-names-all-of-air = C_D(Re), poussée d’Archimède, masse ajoutée
 
-page-paper-law-names-constant = constante
-page-paper-law-names-viscoelastic = viscoélastique
-page-paper-law-names-linear = décroissante, linéaire
-page-paper-law-names-power = décroissante, loi de puissance
-page-paper-law-names-knee = décroissante au-delà de 1,5 m/s
 page-paper-try-it = À vous de faire tomber une balle
 
 page-drops-title = Tableau des essais

@@ -57,11 +57,6 @@ paper-verdict-agrees-within-reading = concorde à la lecture près
 paper-verdict-misprint = coquille
 paper-verdict-differs = diffère
 
-paper-law-constant = constante
-paper-law-viscoelastic = viscoélastique
-paper-law-linear = linéaire
-paper-law-power = puissance
-paper-law-knee = coude à 1,5 m/s
 paper-air-none = aucun
 paper-air-constant = C_D = 0,4
 paper-air-sphere = C_D(Re)

@@ -75,12 +75,5 @@ source-added-mass = masse ajoutée
 source-choice-of-law = choix de la loi
 source-number-of-impacts = nombre d’impacts
 
-restitution-law-constant = constante
-restitution-law-linear = linéaire
-restitution-law-power = puissance
-restitution-law-viscoelastic = viscoélastique
-restitution-law-knee = coudée
-restitution-law-smooth = lisse
-
 drag-none = aucune
 drag-constant = C_D = { $coefficient }

@@ -6,8 +6,8 @@ use bouncelab::ball::{self, Ball};
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::restitution::{Contact, Restitution};
 use bouncelab::regression::{self, LogLinearFit, NumberedFlight};
+use bouncelab::restitution::{Contact, Restitution};
 
 pub(super) const GRAVITY_M_S2: f64 = 9.81;
 pub(super) const DROP_HEIGHT_M: f64 = 0.305;

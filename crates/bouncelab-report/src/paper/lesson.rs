@@ -5,8 +5,8 @@ use bouncelab::Result;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::Stop;
 use bouncelab::flight::FlightModel;
-use bouncelab::restitution::Restitution;
 use bouncelab::regression::{self, LogLinearFit, NumberedFlight};
+use bouncelab::restitution::Restitution;
 use serde::{Deserialize, Serialize};
 
 use super::experiment::{

@@ -4,7 +4,7 @@
 use bouncelab::Result;
 use bouncelab::drag::DragLaw;
 use bouncelab::flight::FlightModel;
-use bouncelab::restitution::Restitution;
+use bouncelab::restitution::{LawKind, Restitution};
 use serde::Serialize;
 
 use super::experiment::{
@@ -25,8 +25,8 @@ const SLOW_M_S: f64 = 0.5;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Explanation {
-    /// The restitution law: `constant`, `viscoelastic`, `linear`, `power` or `knee`.
-    pub restitution_law: String,
+    /// The restitution law.
+    pub restitution_law: LawKind,
     /// The drag: `none`, `constant`, `sphere` (the curve of a sphere) or `all-of-air` (with buoyancy and
     /// added mass too).
     pub drag: String,
@@ -42,27 +42,19 @@ pub struct Explanation {
     pub reproduces: bool,
 }
 
-/// A family of laws: level and slope to law.
-type Family = fn(f64, f64) -> Result<Restitution>;
+/// The speeds at which the laws that were tried have their restitution, or their knee, m/s.
+const AT_SPEED_M_S: f64 = 1.0;
+const KNEE_M_S: f64 = 1.5;
 
-fn constant(level: f64, _: f64) -> Result<Restitution> {
-    Restitution::constant(level)
-}
-
-fn viscoelastic(level: f64, _: f64) -> Result<Restitution> {
-    Restitution::viscoelastic_through(level, 1.0)
-}
-
-fn linear(level: f64, slope: f64) -> Result<Restitution> {
-    Restitution::linear(level, slope)
-}
-
-fn power(level: f64, slope: f64) -> Result<Restitution> {
-    Restitution::power(level, 1.0, slope)
-}
-
-fn knee(level: f64, slope: f64) -> Result<Restitution> {
-    Restitution::knee(level, 1.5, slope)
+/// A law with this restitution and, if it is not constant or viscoelastic, with this slope.
+fn law_of(kind: LawKind, level: f64, slope: f64) -> Result<Restitution> {
+    match kind {
+        LawKind::Viscoelastic => Restitution::viscoelastic_through(level, AT_SPEED_M_S),
+        LawKind::Linear => Restitution::linear(level, slope),
+        LawKind::Power => Restitution::power(level, AT_SPEED_M_S, slope),
+        LawKind::Knee => Restitution::knee(level, KNEE_M_S, slope),
+        _ => Restitution::constant(level),
+    }
 }
 
 /// Every explanation that was tried.
@@ -75,71 +67,49 @@ pub fn explanations() -> Result<Vec<Explanation>> {
     let constant_drag = experiment::model(CONSTANT)?;
     let sphere_drag = experiment::model(DragLaw::CliftGraceWeber)?;
     let all_of_air = experiment::model_with_buoyancy(DragLaw::CliftGraceWeber)?;
-    let mut found = vec![explain("constant", constant, "none", &drag_free, 10)?];
+    let constant = LawKind::Constant;
+    let mut tried = vec![explain(constant, "none", &drag_free, 10)?];
     for flights in [5, 10, 15, 20, 30] {
-        let drag = "constant";
-        found.push(explain(
-            "constant",
-            constant,
-            drag,
-            &constant_drag,
-            flights,
-        )?);
+        tried.push(explain(constant, "constant", &constant_drag, flights)?);
     }
-    found.push(explain("constant", constant, "sphere", &sphere_drag, 10)?);
-    let drag = "all-of-air";
-    found.push(explain("constant", constant, drag, &all_of_air, 10)?);
+    tried.push(explain(constant, "sphere", &sphere_drag, 10)?);
+    tried.push(explain(constant, "all-of-air", &all_of_air, 10)?);
     for flights in [10, 20] {
-        let law = "viscoelastic";
-        found.push(explain(
-            law,
-            viscoelastic,
-            "constant",
-            &constant_drag,
-            flights,
-        )?);
+        let law = LawKind::Viscoelastic;
+        tried.push(explain(law, "constant", &constant_drag, flights)?);
     }
-    let falling: [(&str, Family); 3] = [("linear", linear), ("power", power), ("knee", knee)];
-    for (law, family) in falling {
+    for law in [LawKind::Linear, LawKind::Power, LawKind::Knee] {
         for flights in [10, 15] {
-            found.extend(solve(law, family, "constant", &constant_drag, flights)?);
+            tried.extend(solve(law, "constant", &constant_drag, flights)?);
         }
     }
-    Ok(found)
+    Ok(tried)
 }
 
-/// The law of a family with this slope that regresses to the paper's e.
-fn pinned(family: Family, slope: f64, model: &FlightModel, flights: usize) -> Result<Restitution> {
+/// The law of a kind with this slope that regresses to the paper's e.
+fn pinned(kind: LawKind, slope: f64, model: &FlightModel, flights: usize) -> Result<Restitution> {
     let [level, _] = bisected([0.85, 1.0], 1e-10, |level| {
-        let line = regressed_by(family(level, slope)?, model, flights)?;
+        let line = regressed_by(law_of(kind, level, slope)?, model, flights)?;
         Ok(line.restitution.value < REGRESSED)
     })?;
-    family(level, slope)
+    law_of(kind, level, slope)
 }
 
-/// The result of a family without a slope.
-fn explain(
-    name: &str,
-    family: Family,
-    drag: &str,
-    model: &FlightModel,
-    flights: usize,
-) -> Result<Explanation> {
-    let law = pinned(family, 0.0, model, flights)?;
-    described(name, law, drag, model, flights)
+/// The explanation by a law without a slope.
+fn explain(kind: LawKind, drag: &str, model: &FlightModel, flights: usize) -> Result<Explanation> {
+    let law = pinned(kind, 0.0, model, flights)?;
+    described(kind, law, drag, model, flights)
 }
 
-/// The member of a family with a slope that gives the paper's height too; `None` if there is none
-/// with a slope below [`STEEPEST`].
+/// The law of a kind with the slope that gives the paper's height too; `None` if no slope below [`STEEPEST`] does.
 fn solve(
-    name: &str,
-    family: Family,
+    kind: LawKind,
     drag: &str,
     model: &FlightModel,
     flights: usize,
 ) -> Result<Option<Explanation>> {
     let height_m = |slope: f64| -> Result<f64> {
-        let law = pinned(family, slope, model, flights)?;
+        let law = pinned(kind, slope, model, flights)?;
         Ok(regressed_by(law, model, flights)?.drop_height_m.value)
     };
     let slopes = [0.0, STEEPEST];
@@ -150,12 +120,12 @@ fn solve(
     let [slope, _] = bisected(slopes, 1e-8, |slope| {
         Ok(height_m(slope)? > REGRESSED_HEIGHT_M)
     })?;
-    let law = pinned(family, slope, model, flights)?;
-    Ok(Some(described(name, law, drag, model, flights)?))
+    let law = pinned(kind, slope, model, flights)?;
+    Ok(Some(described(kind, law, drag, model, flights)?))
 }
 
 fn described(
-    name: &str,
+    kind: LawKind,
     law: Restitution,
     drag: &str,
     model: &FlightModel,
@@ -164,7 +134,7 @@ fn described(
     let first_m_s = model.fall(DROP_HEIGHT_M)?.impact_speed_m_s;
     let drop_height_m = regressed_by(law, model, flights)?.drop_height_m.value;
     Ok(Explanation {
-        restitution_law: name.to_owned(),
+        restitution_law: kind,
         drag: drag.to_owned(),
         flights,
         restitution_at_first: law.at(first_m_s),
@@ -186,7 +156,9 @@ mod tests {
         let height = |drag: &str, flights: usize| {
             explanations
                 .iter()
-                .find(|e| e.restitution_law == "constant" && e.drag == drag && e.flights == flights)
+                .find(|e| {
+                    e.restitution_law == LawKind::Constant && e.drag == drag && e.flights == flights
+                })
                 .unwrap()
                 .drop_height_m
         };

@@ -233,7 +233,7 @@ function Measured() {
         value={restitution_laws?.[0] ?? ''}
         options={[
           ['', text('page-settings-restitution-any')],
-          ...laws.map((law) => [law, nameIn(`page-settings-laws-${law}`, law)] as const),
+          ...laws.map((law) => [law, nameIn(`restitution-law-${law}`, law)] as const),
         ]}
         onChange={(law) => change({ restitution_laws: law === '' ? undefined : [law] })}
       />

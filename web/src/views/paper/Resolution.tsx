@@ -23,7 +23,7 @@ export function Resolution({ puzzle }: { readonly puzzle: readonly Explanation[]
         <tbody>
           {puzzle.map((way) => (
             <tr key={`${way.restitution_law} ${way.drag} ${way.flights}`}>
-              <td>{text(`page-paper-law-names-${way.restitution_law}`)}</td>
+              <td>{text(`restitution-law-${way.restitution_law}`)}</td>
               <td>{text(`page-paper-air-names-${way.drag}`)}</td>
               <td class="figure">{way.flights}</td>
               <td class="figure">{fixed(way.restitution_at_first, 4, spoken)}</td>
