@@ -2,10 +2,11 @@
 
 use super::likelihood::Innovation;
 use super::model::Point;
+use super::parameters::{MAX_TERMINAL_SPEED_STEPS, MIN_SHARE_AT_REST, NEWTON_TOLERANCE, THINNING};
 use super::posterior::{Draws, ImpactPosterior, Model, Posterior, Sampling};
 use super::predict::Rest;
 use super::priors::Measured;
-use super::sampled::{DrawnDrop, SampledPosterior, THINNED};
+use super::sampled::{DrawnDrop, SampledPosterior};
 use super::smoothing::DropState;
 use super::{ApexTarget, InferenceOptions, Prediction, budget, findings, identify, predict};
 use crate::diagnostic::{Code, Diagnostic};
@@ -14,9 +15,6 @@ use crate::error::Result;
 use crate::estimate::Estimate;
 use crate::flight::{Environment, FlightModel};
 use crate::stats::sort_by_number;
-
-/// This share of the draws must come to rest: without the others, which last the longest, they would state too short a time.
-const MOSTLY: f64 = 0.99;
 
 /// The drag of the ball.
 struct Drag {
@@ -79,7 +77,7 @@ impl Answers {
             Vec::new()
         };
         let rest: Vec<Rest> = drops.iter().filter_map(|drop| drop.rest).collect();
-        let rests = rest.len() as f64 >= MOSTLY * drops.len() as f64 && !rest.is_empty();
+        let rests = rest.len() as f64 >= MIN_SHARE_AT_REST * drops.len() as f64 && !rest.is_empty();
         let rest = if rests { rest } else { Vec::new() };
         let drag_coefficient = self.drag_coefficients(&posterior);
         let drag = self.drag(&posterior, &drag_coefficient);
@@ -190,7 +188,7 @@ impl Answers {
             .collect::<Result<_>>()
             .ok()?;
         let of_draw = posterior.draws.iter().zip(&self.points);
-        let terminal = of_draw.step_by(THINNED).filter_map(|(draw, point)| {
+        let terminal = of_draw.step_by(THINNING).filter_map(|(draw, point)| {
             let media = posterior.candidates[draw.candidate].media;
             terminal_speed(&models[media], point.drag_strength)
         });
@@ -260,7 +258,7 @@ fn fastest_reynolds(posterior: &SampledPosterior) -> f64 {
 
 fn predictions(posterior: &SampledPosterior, reach: &[ApexTarget]) -> Vec<Prediction> {
     let height = |reach: ApexTarget| {
-        posterior.each(THINNED, |model, point| {
+        posterior.each(THINNING, |model, point| {
             predict::drop_height_for(model, point, reach.bounce, reach.apex_m)
         })
     };
@@ -289,13 +287,12 @@ fn missed_first(posterior: &SampledPosterior) -> Option<Vec<f64>> {
 /// The speed at which drag balances weight, by Newton on the logarithms, from where it would be for
 /// a constant coefficient.
 fn terminal_speed(model: &FlightModel, drag_strength: f64) -> Option<f64> {
-    const STEPS: usize = 30;
     let mut speed = model.terminal_speed_m_s()? / drag_strength.sqrt();
-    for _ in 0..STEPS {
+    for _ in 0..MAX_TERMINAL_SPEED_STEPS {
         // Drag goes about as the square of the speed.
         let step = -0.5 * (drag_strength * model.drag_over_weight(speed).ok()?).ln();
         speed *= step.exp();
-        if step.abs() < 1e-9 {
+        if step.abs() < NEWTON_TOLERANCE {
             break;
         }
     }

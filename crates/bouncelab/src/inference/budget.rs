@@ -9,6 +9,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 use super::banded::Banded;
 use super::likelihood::Differences;
 use super::model::{Model, Slot};
+use super::parameters::DIFFERENCE_STEP;
 use super::residual::Noise;
 use super::sampled::{Candidate, SampledPosterior};
 use crate::simd::Lanes;
@@ -178,16 +179,15 @@ fn gradient(
     vector: &[f64],
     quantity: impl Fn(&Model, &[f64]) -> Option<f64>,
 ) -> Option<DVector<f64>> {
-    const STEP: f64 = 1e-4;
     let mut moved = vector.to_vec();
     let mut gradient = DVector::zeros(vector.len());
     for i in 0..vector.len() {
-        moved[i] = vector[i] + STEP;
+        moved[i] = vector[i] + DIFFERENCE_STEP;
         let above = quantity(model, &moved)?;
-        moved[i] = vector[i] - STEP;
+        moved[i] = vector[i] - DIFFERENCE_STEP;
         let below = quantity(model, &moved)?;
         moved[i] = vector[i];
-        gradient[i] = (above - below) / (2.0 * STEP);
+        gradient[i] = (above - below) / (2.0 * DIFFERENCE_STEP);
     }
     Some(gradient)
 }

@@ -1,22 +1,16 @@
 //! The diagnostics of an inference.
 
-use super::GREATEST_PARETO_SHAPE;
 use super::fit;
-use super::identify::{PriorContraction, UNINFORMATIVE, Unknown};
+use super::identify::{PriorContraction, Unknown};
 use super::likelihood::Innovation;
+use super::parameters::{
+    CLEAR_LAW_WEIGHT, CONTRADICTION_SDS, FEW_IMPACTS, LARGE_SCATTER_FACTOR, MANY_RESTITUTIONS,
+    MAX_PARETO_SHAPE, OUTLIER_WEIGHT, RELEVANT_WEIGHT, UNINFORMATIVE,
+};
 use super::priors::{Measured, Priors};
-use super::sampled::{MATTERS, Pool, SampledPosterior};
+use super::sampled::{Pool, SampledPosterior};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::restitution::LawKind;
-
-/// An impact with less weight than this is called odd.
-pub(super) const ODD_WEIGHT: f64 = 0.55;
-
-/// Fewer impacts than this leave most to the priors.
-const FEW: usize = 5;
-
-/// More standard deviations than this between the measured and the detected height are not chance.
-const CONTRADICTION: f64 = 3.5;
 
 /// Every diagnostic that applies.
 pub(super) fn diagnostics(
@@ -29,11 +23,11 @@ pub(super) fn diagnostics(
         diagnostics.push(
             Diagnostic::new(Code::SamplingNotConverged)
                 .with("pareto_shape", posterior.pareto_shape())
-                .with("greatest", GREATEST_PARETO_SHAPE),
+                .with("greatest", MAX_PARETO_SHAPE),
         );
     }
     let impacts = &posterior.observed().impacts;
-    if impacts.len() < FEW {
+    if impacts.len() < FEW_IMPACTS {
         diagnostics.push(Diagnostic::new(Code::FewImpacts).with("count", impacts.len()));
     }
     let seen = posterior.observed().restitutions();
@@ -52,7 +46,7 @@ pub(super) fn diagnostics(
     // The first innovation belongs to the drop height, and is no impact of its own.
     let odd: Vec<usize> = innovations
         .iter()
-        .filter(|innovation| innovation.impact > 0 && innovation.weight < ODD_WEIGHT)
+        .filter(|innovation| innovation.impact > 0 && innovation.weight < OUTLIER_WEIGHT)
         .map(|innovation| impacts[innovation.impact].number)
         .collect();
     if !odd.is_empty() {
@@ -74,11 +68,11 @@ pub(super) fn diagnostics(
     let slope_possible = posterior
         .candidates
         .iter()
-        .any(|candidate| candidate.law != LawKind::Constant && candidate.weight > MATTERS);
+        .any(|candidate| candidate.law != LawKind::Constant && candidate.weight > RELEVANT_WEIGHT);
     if drag_unknown && slope_possible {
         diagnostics.push(Diagnostic::new(Code::DragOrSlope));
     }
-    if law_weight(posterior) < 0.9 {
+    if law_weight(posterior) < CLEAR_LAW_WEIGHT {
         diagnostics.push(Diagnostic::new(Code::NoLawWins));
     }
     diagnostics
@@ -87,13 +81,9 @@ pub(super) fn diagnostics(
 /// A diagnostic if restitution scatters far more than the prior says. Few impacts do not overcome a prior, and the
 /// intervals are too narrow on such a surface (`docs/validation.md`, scenarios).
 pub(super) fn scattered(posterior: &SampledPosterior, scatter: f64) -> Option<Diagnostic> {
-    /// The prior is right within this factor.
-    const RIGHT_WITHIN: f64 = 2.0;
-    /// So many know the logarithm of their scatter to 1/6, five times as well as the prior: it takes a twentieth off.
-    const ENOUGH: usize = 20;
     let assumed = posterior.priors.restitution_scatter;
-    let few = posterior.observed().restitutions() < ENOUGH;
-    (few && scatter > RIGHT_WITHIN * assumed).then(|| {
+    let few = posterior.observed().restitutions() < MANY_RESTITUTIONS;
+    (few && scatter > LARGE_SCATTER_FACTOR * assumed).then(|| {
         let scattered = Diagnostic::new(Code::ScatterExceedsPrior);
         let scattered = scattered.with("relative_sd", scatter);
         scattered.with("assumed_relative_sd", assumed)
@@ -133,7 +123,7 @@ fn about_the_height(
         .filter(|candidate| candidate.missed_first > 0)
         .map(|candidate| candidate.weight)
         .sum();
-    (missed > MATTERS)
+    (missed > RELEVANT_WEIGHT)
         .then(|| Diagnostic::new(Code::FirstImpactsMissed).with("probability", missed))
 }
 
@@ -154,7 +144,7 @@ fn contradiction(
         .filter(|innovation| innovation.impact == 0)
         .map(|innovation| innovation.standardised.abs())
         .fold(0.0, f64::max);
-    if off.max(first) < CONTRADICTION {
+    if off.max(first) < CONTRADICTION_SDS {
         return None;
     }
     let detected_m = detected_height_m(posterior, candidate.law, candidate.media)?;

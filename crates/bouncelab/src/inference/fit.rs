@@ -4,6 +4,10 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::likelihood::Differences;
 use super::model::{ExpectedRestitution, Model, Slot};
+use super::parameters::{
+    LARGE_GAIN, MAX_FIT_STEPS, MAX_GAIN_OVER_PROMISE, NEAR_SDS, SHORT_STEP, SMALL_GAIN,
+    STEP_FRACTIONS,
+};
 
 /// The best vector of a model and the curvature there.
 #[derive(Debug, Clone)]
@@ -40,39 +44,6 @@ impl Fit {
     }
 }
 
-/// Distance from the best fit, in standard deviations, from which the step that the expected curvature suggests leads so
-/// near to it that nothing there need be worked out. The sampling would mind less, but so the end hardly depends on the way
-/// there.
-const NEAR: f64 = 3e-2;
-
-const MOST_STEPS: usize = 40;
-
-/// Parts of a step that are tried: side by side they take little longer than one.
-const PARTS: [f64; 8] = [
-    1.0 / 64.0,
-    1.0 / 32.0,
-    1.0 / 16.0,
-    0.125,
-    0.25,
-    0.5,
-    1.0,
-    2.0,
-];
-
-/// Where none of them leads uphill, so much shorter ones are tried: far from the maximum the expected curvature may be that
-/// of another place.
-const SHORT: f64 = 1.0 / 256.0;
-
-/// A step that promises more than this of the log posterior starts too far away for the steps before to tell of
-/// the curvature at the maximum.
-const LARGE_GAIN: f64 = 1.0;
-
-/// Of a step that promises less than this the whole is hardly ever worse than a part.
-const SMALL_GAIN: f64 = 0.1;
-
-/// Hardly a search gains more than so many times what its next step promises.
-const MOST_GAINED: f64 = 20.0;
-
 /// A vector on the way to the best fit.
 struct Place {
     vector: DVector<f64>,
@@ -103,8 +74,8 @@ impl Place {
 
     /// The vector after the best part of a step; `None` if none of them leads uphill.
     fn uphill(&self, model: &Model, step: &DVector<f64>) -> Option<DVector<f64>> {
-        let tried = DMatrix::from_fn(step.len(), PARTS.len(), |unknown, place| {
-            self.vector[unknown] + PARTS[place] * step[unknown]
+        let tried = DMatrix::from_fn(step.len(), STEP_FRACTIONS.len(), |unknown, place| {
+            self.vector[unknown] + STEP_FRACTIONS[place] * step[unknown]
         });
         let found = model.log_posteriors(&tried).into_iter().enumerate();
         let found = found.filter_map(|(place, log)| Some((place, log?)));
@@ -122,16 +93,16 @@ impl Place {
 pub(super) fn best_fit(model: &Model, start: Vec<f64>, least: f64) -> Option<Fit> {
     let mut here = Place::new(model, DVector::from_vec(start))?;
     let mut secants = Secants::default();
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_FIT_STEPS {
         let expected = here.expected.solve(&here.slope);
         let promise = here.slope.dot(&expected);
         if promise > LARGE_GAIN {
             secants = Secants::default();
         }
-        if here.log_posterior + MOST_GAINED * promise < least {
+        if here.log_posterior + MAX_GAIN_OVER_PROMISE * promise < least {
             break;
         }
-        if promise < NEAR * NEAR {
+        if promise < NEAR_SDS * NEAR_SDS {
             here.log_posterior += 0.5 * promise;
             here.vector += expected;
             break;
@@ -142,7 +113,7 @@ pub(super) fn best_fit(model: &Model, start: Vec<f64>, least: f64) -> Option<Fit
         let next = if let Some(next) = whole.flatten().filter(higher) {
             next
         } else {
-            let steps = [&step, &expected, &(SHORT * &expected)];
+            let steps = [&step, &expected, &(SHORT_STEP * &expected)];
             let Some(next) = steps.into_iter().find_map(|step| here.uphill(model, step)) else {
                 break;
             };

@@ -1,6 +1,7 @@
 //! Prior contraction: what the data determine, and what the priors.
 
 use super::model::Slot;
+use super::parameters::{CONSTANT_REL_SD, MIN_PART_WITH_UNKNOWN};
 use super::sampled::SampledPosterior;
 use crate::stats::{mean, sd};
 
@@ -51,9 +52,6 @@ pub struct PriorContraction {
     pub remaining: f64,
 }
 
-/// Above this, the data state next to nothing.
-pub const UNINFORMATIVE: f64 = 0.9;
-
 /// How much the data narrowed each unknown, over the models that have it.
 pub(super) fn prior_contraction(posterior: &SampledPosterior) -> Vec<PriorContraction> {
     let unknowns = [
@@ -80,10 +78,12 @@ pub(super) fn prior_contraction(posterior: &SampledPosterior) -> Vec<PriorContra
                 })
                 .collect();
             // Too few draws have it: it says nothing of the average.
-            (10 * values.len() > posterior.draws.len()).then(|| PriorContraction {
-                unknown,
-                // Before the data all of these are standard normals.
-                remaining: sd(&values),
+            (MIN_PART_WITH_UNKNOWN * values.len() > posterior.draws.len()).then(|| {
+                PriorContraction {
+                    unknown,
+                    // Before the data all of these are standard normals.
+                    remaining: sd(&values),
+                }
             })
         })
         .collect()
@@ -108,7 +108,7 @@ pub(super) fn correlations(columns: Vec<(&'static str, Vec<f64>)>) -> Correlatio
         for value in &mut values {
             *value = (*value - mean) / sd;
         }
-        (sd > 1e-12 * mean.abs().max(1e-12)).then_some((name, values))
+        (sd > CONSTANT_REL_SD * mean.abs().max(CONSTANT_REL_SD)).then_some((name, values))
     });
     let columns: Vec<_> = standardised.collect();
     let correlation = |a: &[f64], b: &[f64]| {

@@ -21,21 +21,14 @@ use nalgebra::{DMatrix, DVector};
 
 use super::banded::{FactorRow, next_factor};
 use super::model::{Model, Point, Slot};
+use super::parameters::{DIFFERENCE_STEP, FACTORS_PER_LOGARITHM, OUTLIER_SDS, SCATTER_FREEDOM};
 use super::residual::{End, InitialFall, Noise, Residual};
 use super::scatter_prior;
-use super::tail::{FREEDOM, Tail};
+use super::tail::Tail;
 use super::trials::Trials;
 use crate::flight::table::FlightTable;
 use crate::restitution::Restitutions;
 use crate::simd::{LANES, Lanes, dispatch, one_for_each_lane};
-
-/// Beyond about so many standard deviations an innovation is odd, and says nothing of its
-/// neighbours.
-const ODD: f64 = 3.0;
-
-/// So many factors of a likelihood are multiplied before their logarithm is taken: none is so small or large
-/// that their product leaves the range of numbers.
-const FACTORS: usize = 8;
 
 /// An innovation: what one impact adds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -266,7 +259,7 @@ impl<'a> Model<'a> {
         let mut information = slopes.transpose() * weighted;
         // The noise: the logarithm of a standard deviation is known to 1/2^1/2 from one residual,
         // less from one with tails.
-        let tells = 2.0 * FREEDOM / (FREEDOM + 3.0);
+        let tells = 2.0 * SCATTER_FREEDOM / (SCATTER_FREEDOM + 3.0);
         let scatter = self.place(Slot::Scatter).map(|place| vector[place]);
         let scatter_slope = scatter.map_or(0.0, scatter_prior::log_slope);
         let shares = |slot: Slot, factor: &Factor| match slot {
@@ -286,13 +279,12 @@ impl<'a> Model<'a> {
 
     /// A vector and the derivatives there by the unknowns, by central differences.
     pub(super) fn differences(&self, vector: &[f64]) -> Option<Differences> {
-        const STEP: f64 = 1e-4;
         let unknowns = vector.len();
         // Above in the first columns, below in as many others, and the vector itself in the last.
         let sign = |column: usize| if column < unknowns { 1.0 } else { -1.0 };
         let mut tried = DMatrix::from_fn(unknowns, 2 * unknowns + 1, |unknown, _| vector[unknown]);
         for column in 0..2 * unknowns {
-            tried[(column % unknowns, column)] += sign(column) * STEP;
+            tried[(column % unknowns, column)] += sign(column) * DIFFERENCE_STEP;
         }
         let mut residuals = DMatrix::zeros(self.rows_of_data(), unknowns);
         let mut details = Details::default();
@@ -305,8 +297,9 @@ impl<'a> Model<'a> {
         };
         let logs = self.log_posteriors_observed(&tried, Some(&mut observe));
         let logs = logs.into_iter().collect::<Option<Vec<f64>>>()?;
-        residuals /= 2.0 * STEP;
-        let slope = |unknown: usize| (logs[unknown] - logs[unknowns + unknown]) / (2.0 * STEP);
+        residuals /= 2.0 * DIFFERENCE_STEP;
+        let slope =
+            |unknown: usize| (logs[unknown] - logs[unknowns + unknown]) / (2.0 * DIFFERENCE_STEP);
         Some(Differences {
             point: self.point(vector)?,
             details,
@@ -407,7 +400,7 @@ impl<'o, const L: usize> Likelihood<'o, L> {
         let tail = Tail::of(scatter_share);
         self.densities = self.densities + tail.log_density(square);
         self.widths.multiply(variance * tail.width());
-        let odd = square * (1.0 / (ODD * ODD));
+        let odd = square * (1.0 / (OUTLIER_SDS * OUTLIER_SDS));
         self.believed = [innovation / (odd * odd + 1.0), self.believed[0]];
         self.factors = [factor, self.factors[0]];
         self.before = [Some(*residual), self.before[0]];
@@ -451,7 +444,7 @@ impl<const L: usize> Product<L> {
     fn multiply(&mut self, factor: Lanes<L>) {
         self.factors = self.factors * factor;
         self.count += 1;
-        if self.count.is_multiple_of(FACTORS) {
+        if self.count.is_multiple_of(FACTORS_PER_LOGARITHM) {
             self.log = self.log + self.factors.ln();
             self.factors = Lanes::all(1.0);
         }

@@ -53,6 +53,7 @@ mod model;
 mod numbering;
 mod observed;
 mod order;
+mod parameters;
 mod posterior;
 mod predict;
 mod priors;
@@ -66,10 +67,10 @@ mod timed_flights;
 mod trials;
 
 pub use budget::{Budget, Share};
-pub use identify::{Correlations, PriorContraction, UNINFORMATIVE, Unknown};
+pub use identify::{Correlations, PriorContraction, Unknown};
+pub use parameters::{MAX_PARETO_SHAPE, UNINFORMATIVE, UNKNOWN};
 pub use posterior::{BandPoint, Draws, ImpactPosterior, Model, Posterior, Sampling};
-pub use priors::{Measured, Priors, UNKNOWN};
-pub use sample::GREATEST_PARETO_SHAPE;
+pub use priors::{Measured, Priors};
 pub use sampled::SamplerConfig;
 
 use crate::ball::Ball;

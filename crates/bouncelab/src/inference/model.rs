@@ -3,6 +3,11 @@
 use nalgebra::DMatrix;
 
 use super::observed::Observed;
+use super::parameters::{
+    MANY_FLIGHTS, MAX_LOG_RESTITUTION, MAX_START_NORMAL, MIN_KEPT, MIN_SPEED_RATIO,
+    MIN_START_SCATTER, NEWTON_TOLERANCE, START_RESTITUTION, START_RESTITUTIONS, TABLE_REACH,
+    TABLE_STEPS, UNSTATED_TIMING_SD,
+};
 use super::priors::{Measured, Priors};
 use super::scatter_prior;
 use super::timed_flights::TimedFlights;
@@ -14,19 +19,6 @@ use crate::flight::{Environment, FlightModel};
 use crate::restitution::{LawKind, MAX_SHAPES, Restitution, SpeedRange};
 use crate::simd::Lanes;
 use crate::stats::{median, robust_sd};
-
-/// A law that keeps less of a change of the impact speed than this part is taken to keep it: Newton's method needs a slope.
-pub(super) const LEAST_KEPT: f64 = 0.1;
-
-/// So many flights tell the noise to about a fifth; how well they tell the restitution then depends little on it.
-pub(super) const MANY_FLIGHTS: usize = 16;
-
-/// How far the errors of times may be off that nobody stated, as a factor.
-const UNSTATED_TIMING_SD: f64 = 1.0;
-
-/// Steps of a flight table up to the launch speed that the longest flight would have without air;
-/// at a drag of a third of the weight they are good to 1e-6.
-const TABLE_STEPS: f64 = 26.0;
 
 /// One physical explanation of a drop: which restitution law, which drag law, and how many impacts
 /// went before the first one detected.
@@ -160,9 +152,9 @@ impl Point {
         let mut impact = launch / self.law.at(launch);
         for _ in 0..MAX_STEPS {
             let (restitution, log_slope) = self.law.at_with_log_slope(impact);
-            let step = (launch / (impact * restitution)).ln() / (1.0 + log_slope).max(LEAST_KEPT);
+            let step = (launch / (impact * restitution)).ln() / (1.0 + log_slope).max(MIN_KEPT);
             impact *= step.exp();
-            if step.abs() < 1e-9 {
+            if step.abs() < NEWTON_TOLERANCE {
                 break;
             }
         }
@@ -191,7 +183,7 @@ impl Medium {
         }
         let dragless = drag_law == DragLaw::None || environment.air.is_vacuum();
         // Higher for drag, and for the fall before a dead first impact.
-        let reach = (2.0 / observed.first_ratio()).clamp(2.2, 6.0);
+        let reach = (2.0 / observed.first_ratio()).clamp(TABLE_REACH[0], TABLE_REACH[1]);
         let steps = (TABLE_STEPS * reach) as usize;
         Ok(Self {
             drag_law,
@@ -492,7 +484,10 @@ impl<'a> Model<'a> {
 
     /// The same with these standard normals of the two.
     fn start_with(&self, scatter: f64, timing: f64) -> Vec<f64> {
-        let e = self.middle.restitution.clamp(0.05, 0.995);
+        let e = self
+            .middle
+            .restitution
+            .clamp(START_RESTITUTIONS[0], START_RESTITUTIONS[1]);
         // One missed impact more means a fall 1/e faster.
         let first = self.middle.first_launch_m_s / e.powf(self.missed_first as f64 + 1.0);
         let height = match self.height() {
@@ -505,8 +500,8 @@ impl<'a> Model<'a> {
                 Slot::Restitution => (e / (1.0 - e)).ln(),
                 Slot::Height => height,
                 Slot::Shape(number) => self.law.start(*number),
-                Slot::Scatter => scatter.clamp(-3.0, 3.0),
-                Slot::Timing => timing.clamp(-3.0, 3.0),
+                Slot::Scatter => scatter.clamp(-MAX_START_NORMAL, MAX_START_NORMAL),
+                Slot::Timing => timing.clamp(-MAX_START_NORMAL, MAX_START_NORMAL),
                 _ => 0.0,
             })
             .collect()
@@ -592,7 +587,7 @@ impl ReferenceSpeed {
             by.map(|by| by * by).sum::<f64>().sqrt()
         };
         let timing = robust_sd(logs.iter().map(|&(place, log)| off(log) / by_time(place)));
-        if middle.is_some_and(|log_e| log_e > 0.1) {
+        if middle.is_some_and(|log_e| log_e > MAX_LOG_RESTITUTION) {
             return Err(Error::CannotInfer(InferenceFailure::GainsSpeed));
         }
         let speeds = rows.iter().map(|row| row.impact).chain([rows[0].launch]);
@@ -604,18 +599,15 @@ impl ReferenceSpeed {
                 reference_m_s: mean_log.exp(),
                 slowest_m_s,
                 // A knee needs a range even where all impacts are alike.
-                fastest_m_s: fastest_m_s.max(1.05 * slowest_m_s),
+                fastest_m_s: fastest_m_s.max(MIN_SPEED_RATIO * slowest_m_s),
             },
-            restitution: middle.map_or(GUESS, f64::exp),
+            restitution: middle.map_or(START_RESTITUTION, f64::exp),
             first_launch_m_s: rows[0].launch,
-            scatter: scatter.map(|scatter| scatter.max(1e-4)),
+            scatter: scatter.map(|scatter| scatter.max(MIN_START_SCATTER)),
             timing,
         })
     }
 }
-
-/// A restitution to start from where no impact shows one.
-const GUESS: f64 = 0.8;
 
 fn index(slot: Slot) -> usize {
     match slot {

@@ -4,30 +4,13 @@
 //! uncertainty: after a long flight an impact may have been missed or the surface may be dull. So every
 //! numbering that may explain the intervals is a model of its own, weighed like the others.
 
-use super::observed::{MOST_MISSED, Observed};
+use super::observed::Observed;
+use super::parameters::{
+    FLIGHT_RATIO_SD, MAX_EXCESS_COST, MAX_FIRST_FLIGHTS, MAX_MISSED, MAX_OTHER_NUMBERINGS,
+    MAX_RATIO, MAX_RATIO_SDS, MIN_START_RATIO, OUTLIER_COST, RATIO_MEMORY, START_RATIOS,
+};
 use crate::stats::sort_by_number;
 use crate::train::LN_MISSED;
-
-/// How far a flight may be from what the one before foretells, relative: drag changes the ratio of
-/// successive flights along a drop, and impacts scatter.
-const SPREAD: f64 = 0.06;
-
-/// A flight so much less likely than any other is no sign of a wrong number: an odd impact.
-const ODD_COST: f64 = 20.0;
-
-/// How fast the ratio of successive flights is taken to change along a drop: as the mean of so many.
-const MEMORY: f64 = 4.0;
-
-/// A numbering so much less likely than another is not fitted. Generous, because the ratio of two
-/// flights knows less than the fit.
-const HOPELESS: f64 = 14.0;
-
-/// At most so many numberings besides the one stated are fitted.
-const MOST: usize = 12;
-
-/// Where the first flights begin: any ratio, and up to so many missed after the first impact.
-const RATIOS: usize = 24;
-const FIRST_FLIGHTS: usize = 4;
 
 /// Numbers of flights in the intervals, and the logarithm of how unlikely they are.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,20 +24,20 @@ pub(super) fn plausible(observed: &Observed) -> Vec<Observed> {
     let durations_s: Vec<f64> = observed.intervals.iter().map(|i| i.duration_s).collect();
     let stated: Vec<usize> = observed.intervals.iter().map(|i| i.flights).collect();
     let mut ways: Vec<Numbering> = Vec::new();
-    for first in 1..=FIRST_FLIGHTS {
-        for step in 0..RATIOS {
+    for first in 1..=MAX_FIRST_FLIGHTS {
+        for step in 0..START_RATIOS {
             // From a dead ball, 0.4, to a perfect one, evenly in the logarithm.
-            let ratio = 0.4_f64.powf((step as f64 + 0.5) / RATIOS as f64);
+            let ratio = MIN_START_RATIO.powf((step as f64 + 0.5) / START_RATIOS as f64);
             ways.push(follow(&durations_s, first, ratio));
         }
     }
     sort_by_number(&mut ways, |way| way.cost);
     let least = ways[0].cost;
-    ways.retain(|way| way.cost < least + HOPELESS);
+    ways.retain(|way| way.cost < least + MAX_EXCESS_COST);
     let nearby = neighbours(&ways[0]);
     let mut kept = vec![stated];
     for way in ways.into_iter().map(|way| way.flights).chain(nearby) {
-        if kept.len() <= MOST && !kept.contains(&way) {
+        if kept.len() <= MAX_OTHER_NUMBERINGS && !kept.contains(&way) {
             kept.push(way);
         }
     }
@@ -74,12 +57,12 @@ fn follow(durations_s: &[f64], first: usize, ratio: f64) -> Numbering {
     for &duration_s in &durations_s[1..] {
         let priced = |count: usize| {
             let off = (duration_s / (last_s * ratio * series(count, ratio))).ln();
-            let sds = off / SPREAD;
-            let price = (0.5 * sds * sds).min(ODD_COST) + missed_cost(count);
+            let sds = off / FLIGHT_RATIO_SD;
+            let price = (0.5 * sds * sds).min(OUTLIER_COST) + missed_cost(count);
             (count, off, price)
         };
         let mut best = priced(1);
-        for count in 2..=MOST_MISSED + 1 {
+        for count in 2..=MAX_MISSED + 1 {
             // More missed impacts are less likely still, whatever they explain.
             if missed_cost(count) >= best.2 {
                 break;
@@ -91,8 +74,8 @@ fn follow(durations_s: &[f64], first: usize, ratio: f64) -> Numbering {
         }
         let (count, off, price) = best;
         cost += price;
-        if off.abs() < 3.0 * SPREAD {
-            ratio = (ratio * (off / (MEMORY * count as f64)).exp()).min(0.999);
+        if off.abs() < MAX_RATIO_SDS * FLIGHT_RATIO_SD {
+            ratio = (ratio * (off / (RATIO_MEMORY * count as f64)).exp()).min(MAX_RATIO);
         }
         last_s = last_of(duration_s, count, ratio);
         flights.push(count);
@@ -105,7 +88,7 @@ fn neighbours(numbering: &Numbering) -> Vec<Vec<usize>> {
     let mut found = Vec::new();
     for (place, &count) in numbering.flights.iter().enumerate() {
         for other in [count - 1, count + 1] {
-            if count > 1 && other <= MOST_MISSED + 1 {
+            if count > 1 && other <= MAX_MISSED + 1 {
                 let mut flights = numbering.flights.clone();
                 flights[place] = other;
                 found.push(flights);

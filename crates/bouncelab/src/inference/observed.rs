@@ -2,6 +2,7 @@
 
 use std::ops::Bound::{Excluded, Unbounded};
 
+use super::parameters::{MAX_MISSED, MIN_TIME_SD_S, READ_OFF_S, ROUNDED_TO_S, ROUNDING_TOLERANCE};
 use crate::error::{Error, InferenceFailure, Quantity, Result, in_order, within};
 use crate::impact::Impact;
 
@@ -24,12 +25,6 @@ pub(super) struct Observed {
     /// Whether somebody stated the standard errors.
     pub(super) sigma_stated: bool,
 }
-
-/// Standard error of times that come without one: what a person reads off a waveform.
-const READ_OFF_S: f64 = 1e-4;
-
-/// More missed impacts in a row than this leave nothing to hold on to.
-pub(super) const MOST_MISSED: usize = 8;
 
 impl Observed {
     /// Checks the impacts and cuts the drop into intervals.
@@ -56,9 +51,7 @@ impl Observed {
         Ok(Self {
             impacts: impacts.to_vec(),
             intervals,
-            // A time without any error would make the covariance singular where there is no
-            // scatter; a nanosecond is nothing.
-            sigma_s: sigma_s.into_iter().map(|s| s.max(1e-9)).collect(),
+            sigma_s: sigma_s.into_iter().map(|s| s.max(MIN_TIME_SD_S)).collect(),
             sigma_stated,
         })
     }
@@ -107,7 +100,7 @@ fn interval(from: &Impact, to: &Impact, contact_time_s: f64) -> Result<Interval>
     let (duration_s, flights) = (to.time_s - from.time_s, to.number - from.number);
     let shortest_s = Excluded(contact_time_s * flights as f64);
     within(Quantity::Interval, duration_s, (shortest_s, Unbounded))?;
-    if flights > MOST_MISSED + 1 {
+    if flights > MAX_MISSED + 1 {
         return Err(Error::CannotInfer(InferenceFailure::MissedInARow {
             missed: flights - 1,
             after: from.number,
@@ -121,15 +114,14 @@ fn interval(from: &Impact, to: &Impact, contact_time_s: f64) -> Result<Interval>
 
 /// Times of a list are as fine as their last digit, and no finer than a person reads them off.
 fn read_off_s(impacts: &[Impact]) -> f64 {
-    let steps = [1e-2, 1e-3];
     let on_grid = |step: f64| {
         impacts.iter().all(|impact| {
             let place = impact.time_s / step;
-            (place - place.round()).abs() < 1e-6 * place.abs().max(1.0)
+            (place - place.round()).abs() < ROUNDING_TOLERANCE * place.abs().max(1.0)
         })
     };
     // A rectangle of one step has a standard deviation of 1/12^1/2.
-    steps
+    ROUNDED_TO_S
         .into_iter()
         .find(|&step| on_grid(step))
         .map_or(READ_OFF_S, |step| step / 12.0_f64.sqrt())

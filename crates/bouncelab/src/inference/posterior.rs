@@ -2,11 +2,11 @@
 
 use super::Prediction;
 use super::budget::{self, Budget};
-use super::findings::ODD_WEIGHT;
 use super::identify::{Correlations, PriorContraction};
+use super::parameters::{BAND_ENDS, BAND_POINTS, OUTLIER_WEIGHT, THINNING};
 use super::predict;
 use super::priors::Measured;
-use super::sampled::{SampledPosterior, THINNED};
+use super::sampled::SampledPosterior;
 use crate::diagnostic::Diagnostic;
 use crate::drag::DragLaw;
 use crate::estimate::Estimate;
@@ -160,7 +160,7 @@ pub struct Sampling {
     /// Draws that count as independent.
     pub effective_draws: f64,
     /// Shape of the tail of the weights; the answer stands if it is below
-    /// [`GREATEST_PARETO_SHAPE`](super::GREATEST_PARETO_SHAPE).
+    /// [`MAX_PARETO_SHAPE`](super::MAX_PARETO_SHAPE).
     #[cfg_attr(feature = "serde", serde(with = "crate::estimate::number"))]
     #[cfg_attr(feature = "typescript", ts(type = "number | null"))]
     pub pareto_shape: f64,
@@ -183,7 +183,7 @@ pub struct BandPoint {
 impl ImpactPosterior {
     /// Whether it is so odd that it counts little in the fit.
     pub fn is_odd(&self) -> bool {
-        self.weight < ODD_WEIGHT
+        self.weight < OUTLIER_WEIGHT
     }
 }
 
@@ -249,12 +249,13 @@ impl Posterior {
 
     /// The restitution law over the impact speeds: what [`Self::band`] holds.
     pub(super) fn compute_band(&self) -> Vec<BandPoint> {
-        /// As many as a smooth curve takes.
-        const POINTS: usize = 40;
-        let points = POINTS;
+        let points = BAND_POINTS;
         let middle = &self.sampled.middle;
         let fastest = middle.speeds.fastest_m_s.max(self.fitted_speeds_m_s[1]);
-        let (from, to) = (0.9 * middle.speeds.slowest_m_s, 1.05 * fastest);
+        let (from, to) = (
+            BAND_ENDS[0] * middle.speeds.slowest_m_s,
+            BAND_ENDS[1] * fastest,
+        );
         let speeds: Vec<f64> = (0..points)
             .map(|point| from + (to - from) * point as f64 / (points.max(2) - 1) as f64)
             .collect();
@@ -271,7 +272,7 @@ impl Posterior {
 
     /// The restitution law at several speeds, m/s, from a fourth of the draws.
     pub fn restitution_at_each(&self, speeds_m_s: &[f64]) -> Vec<Option<Estimate>> {
-        let laws = self.sampled.laws_drawn(THINNED);
+        let laws = self.sampled.laws_drawn(THINNING);
         let draws: Vec<Vec<f64>> = laws.map(|law| law.at_each(speeds_m_s)).collect();
         (0..speeds_m_s.len())
             .map(|place| Estimate::of_draws(draws.iter().map(|draw| draw[place])))

@@ -7,6 +7,7 @@ use rand::SeedableRng;
 use rand::rngs::Xoshiro256PlusPlus;
 
 use super::model::{Model, Point};
+use super::parameters::{MAX_BOUNCES, MAX_LOSS_EXPONENT, REST_M_S};
 use super::priors::Priors;
 use super::sample;
 use super::smoothing::DropState;
@@ -14,19 +15,6 @@ use super::tail;
 use crate::flight::table::BlendedTable;
 use crate::restitution::Restitutions;
 use crate::simd::{LANES, Lanes, dispatch};
-
-/// A drop that has not come to rest after so many bounces never will: from a height of a metre it would keep 99.75 % of
-/// its speed each time.
-const MOST_BOUNCES: usize = 2000;
-
-/// At this launch speed a ball rises five micrometres: what follows is a geometric series, as it is when flights get
-/// shorter than the contact.
-const REST_M_S: f64 = 0.01;
-
-/// Below the slowest impact detected the ratio of speed lost to speed kept falls no faster than this power of the speed:
-/// that of sound waves in elastic bodies, which remain where all other losses have gone (S. C. Hunter, J. Mech. Phys.
-/// Solids 5, 162, 1957; of viscous bodies it is 1/5). A law that is extrapolated may fall to nothing.
-const FASTEST_FALL: f64 = 0.6;
 
 /// One way in which the impacts after the last one detected may go, of which the times say nothing.
 pub(super) struct Future {
@@ -125,7 +113,7 @@ fn next_impacts(lanes: &mut [Option<Bouncing>; LANES]) -> Option<[Lanes<LANES>; 
             let (ln_e, _) = laws.ln_at_with_log_slope(ln_impact);
             let ln_slower = ln_slowest - ln_impact;
             let by_law = (-ln_e).exp() - 1.0;
-            let least = least_loss * (ln_slower.max(0.0) * -FASTEST_FALL).exp();
+            let least = least_loss * (ln_slower.max(0.0) * -MAX_LOSS_EXPONENT).exp();
             let lost_to_kept = (by_law + (least - by_law).max(0.0)) * (ln_slower * exponent).exp();
             let expected = Lanes::all(1.0) / (lost_to_kept + 1.0);
             [expected, impact * expected * (scatter * deviations).exp()]
@@ -198,7 +186,7 @@ impl<'a> Bouncing<'a> {
         }
         self.bounces += 1;
         let flight = self.table.rise_and_fall(launch);
-        let Some(flight) = flight.filter(|_| self.bounces < MOST_BOUNCES) else {
+        let Some(flight) = flight.filter(|_| self.bounces < MAX_BOUNCES) else {
             return ControlFlow::Break(None);
         };
         self.rest.time_s += flight.row.time / gravity;

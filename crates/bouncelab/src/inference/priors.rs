@@ -1,5 +1,6 @@
 //! Measurements and priors besides the impact times.
 
+use super::parameters::UNKNOWN;
 use super::scatter_prior;
 use crate::ball::Preset;
 use crate::diagnostic::{Code, Diagnostic};
@@ -67,10 +68,6 @@ pub struct Priors {
     /// losses to sound waves in the bodies. With 0 the law goes on until rest.
     pub slow_loss_exponent: f64,
 }
-
-/// So little known that the data decide: a normal prior of the logarithm with standard deviation
-/// one, which is a factor of 2.7 either way.
-pub const UNKNOWN: f64 = 1.0;
 
 impl Default for Priors {
     fn default() -> Self {

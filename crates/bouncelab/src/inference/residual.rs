@@ -6,6 +6,7 @@
 
 use super::banded::Banded;
 use super::model::Point;
+use super::parameters::{MAX_GAP_STEPS, MIN_WEIGHT, NEWTON_TOLERANCE};
 use super::priors::Measured;
 use crate::flight::table::{FlightTable, Row};
 use crate::restitution::Restitutions;
@@ -147,16 +148,15 @@ impl End<1> {
         flights: usize,
         point: &Point,
     ) -> Option<Self> {
-        const STEPS: usize = 40;
         // As if each flight were as long as the others.
         let mut log_launch = (0.5 * gravity_time / flights as f64).ln();
-        for _ in 0..STEPS {
+        for _ in 0..MAX_GAP_STEPS {
             let rows = rows(table, log_launch.exp(), flights, point)?;
             let total: f64 = rows.iter().map(|row| row.time).sum();
             let (slope, _) = response(&rows, point);
             let step = (gravity_time - total) / slope;
             log_launch += step;
-            if step.abs() < 1e-9 {
+            if step.abs() < NEWTON_TOLERANCE {
                 break;
             }
         }
@@ -358,7 +358,7 @@ impl<'o, const L: usize> Noise<'o, L> {
             };
             by_time.push([shared(2), shared(1), self.by_time(residual)]);
             // An odd impact counts less, as if its scatter were larger.
-            let own = self.scatter * residual.scatter / weight.max(1e-3);
+            let own = self.scatter * residual.scatter / weight.max(MIN_WEIGHT);
             by_scatter.push([zero, self.scatter * residual.scatter_before, own]);
             by_release.push([zero, zero, Lanes::all(residual.own_variance)]);
         }

@@ -19,21 +19,13 @@ use sobol_burley::{NUM_DIMENSION_SETS_4D, sample_4d};
 
 use super::fit::Fit;
 use super::model::Model;
+use super::parameters::{
+    DOUBTFUL_SHAPE, ENOUGH_DRAWS, FLATTENING_POWERS, MAX_ROUNDS, MIN_DRAWS, MIN_DRAWS_PER_UNKNOWN,
+    MIN_SHARE, MIN_TAIL, PILOT_DRAWS, PROPOSAL_EXPONENTIALS, PROPOSAL_FREEDOM, TAIL_ROOTS,
+    TAIL_SHARE, USUAL_SHARE, WIDENING,
+};
 use crate::simd::{LANES, Lanes, dispatch};
 use crate::stats::sorted;
-
-/// Degrees of freedom of the proposal: tails heavier than those of a posterior, so that no region
-/// is forgotten.
-const FREEDOM: f64 = 2.0 * EXPONENTIALS as f64;
-
-/// Half of a chi-squared number with so many degrees of freedom is a sum of exponential ones.
-const EXPONENTIALS: usize = 3;
-
-/// The shape of the proposal is that of the posterior, a little wider, and wider with each round that did not do.
-const WIDENING: f64 = 1.1;
-
-/// Above this Pareto shape the weights say nothing.
-pub const GREATEST_PARETO_SHAPE: f64 = 0.7;
 
 /// Weighted draws of the posterior of one model.
 #[derive(Debug, Clone)]
@@ -93,7 +85,7 @@ impl Proposal {
                     self.transformed(&coordinates::<LANES>(
                         numbers,
                         seed,
-                        dimensions + EXPONENTIALS,
+                        dimensions + PROPOSAL_EXPONENTIALS,
                     ))
                 },
             );
@@ -119,7 +111,7 @@ impl Proposal {
             .iter()
             .fold(Lanes::all(1.0), |product, &it| product * it);
         let chi_squared = product.ln() * -2.0;
-        let stretch = (Lanes::all(FREEDOM) / chi_squared).sqrt();
+        let stretch = (Lanes::all(PROPOSAL_FREEDOM) / chi_squared).sqrt();
         let drawn = (0..dimensions).map(|row| {
             let terms = (0..=row).map(|column| normal[column] * self.root[(row, column)]);
             terms.fold(Lanes::all(0.0), Add::add) * stretch + self.centre[row]
@@ -128,8 +120,8 @@ impl Proposal {
             .iter()
             .fold(Lanes::all(0.0), |sum, normal| sum + *normal * *normal);
         let square = squares * stretch * stretch;
-        let density =
-            (square * (1.0 / FREEDOM) + 1.0).ln() * (-0.5 * (FREEDOM + dimensions as f64));
+        let density = (square * (1.0 / PROPOSAL_FREEDOM) + 1.0).ln()
+            * (-0.5 * (PROPOSAL_FREEDOM + dimensions as f64));
         (drawn.collect(), density)
     }
 
@@ -137,9 +129,9 @@ impl Proposal {
     fn log_constant(&self) -> f64 {
         let dimensions = self.centre.len() as f64;
         let log_root: f64 = self.root.diagonal().iter().map(|d| d.ln()).sum();
-        log_gamma(0.5 * (FREEDOM + dimensions))
-            - log_gamma(0.5 * FREEDOM)
-            - 0.5 * dimensions * (FREEDOM * std::f64::consts::PI).ln()
+        log_gamma(0.5 * (PROPOSAL_FREEDOM + dimensions))
+            - log_gamma(0.5 * PROPOSAL_FREEDOM)
+            - 0.5 * dimensions * (PROPOSAL_FREEDOM * std::f64::consts::PI).ln()
             - log_root
     }
 }
@@ -237,18 +229,18 @@ pub(super) fn sample(
     rng: &mut ChaCha8Rng,
 ) -> Option<Sample> {
     let enough = |share: f64| {
-        let draws = effective_draws as f64 / share.clamp(LEAST_SHARE, 1.0);
-        (draws as usize).max(FEWEST_DRAWS)
+        let draws = effective_draws as f64 / share.clamp(MIN_SHARE, 1.0);
+        (draws as usize).max(MIN_DRAWS)
     };
     let pilot = PILOT_DRAWS * fit.vector.len();
     let mut proposal = Proposal::new(fit.vector.clone(), fit.covariance.clone(), WIDENING)?;
     let mut draws = enough(USUAL_SHARE).min(pilot);
     let mut drawn = Drawn::new(rng);
     let mut best: Option<Sample> = None;
-    for tries in 1..=MOST_ROUNDS {
+    for tries in 1..=MAX_ROUNDS {
         drawn.draw_until(draws, model, &proposal);
         let found = drawn.weighed(&proposal)?;
-        let complete = found.effective_draws >= ENOUGH * effective_draws as f64;
+        let complete = found.effective_draws >= ENOUGH_DRAWS * effective_draws as f64;
         let trusted = found.pareto_shape < DOUBTFUL_SHAPE;
         let share = found.effective_draws / draws as f64;
         let fits = trusted && (complete || share >= USUAL_SHARE);
@@ -271,25 +263,6 @@ pub(super) fn sample(
     }
     best
 }
-
-/// Draws of a first round for each unknown: enough to know centre and shape.
-const PILOT_DRAWS: usize = 40;
-
-/// Share of effective draws that proposals have. A normal posterior of ten unknowns would give 0.7.
-const USUAL_SHARE: f64 = 0.4;
-
-/// A proposal that fits badly is not drawn from for ever: at most three draws for one.
-const LEAST_SHARE: f64 = 0.33;
-
-/// With this part of the draws that were asked for, the rest is not worth another round.
-const ENOUGH: f64 = 0.8;
-
-/// Weights with a heavier tail than this are worth another try, but not for ever.
-const DOUBTFUL_SHAPE: f64 = 0.6;
-const MOST_ROUNDS: i32 = 6;
-
-/// The weights of fewer draws have a tail too short to tell its shape.
-const FEWEST_DRAWS: usize = 128;
 
 /// Draws of a proposal, so far.
 struct Drawn {
@@ -359,14 +332,14 @@ fn effective_draws(weights: &[f64]) -> f64 {
 /// weight, the weights are flattened until enough count: a step in the right direction.
 fn adapted(pilot: &Sample, widening: f64) -> Option<Proposal> {
     let dimensions = pilot.vectors.nrows();
-    let flattened = [1.0, 0.5, 0.25]
+    let flattened = FLATTENING_POWERS
         .into_iter()
         .map(|power| {
             let powers: Vec<f64> = pilot.weights.iter().map(|w| w.powf(power)).collect();
             let total: f64 = powers.iter().sum();
             powers.iter().map(|w| w / total).collect::<Vec<f64>>()
         })
-        .find(|weights| effective_draws(weights) > 8.0 * dimensions as f64)?;
+        .find(|weights| effective_draws(weights) > MIN_DRAWS_PER_UNKNOWN * dimensions as f64)?;
     let flattened = DVector::from_vec(flattened);
     let mean = &pilot.vectors * &flattened;
     let mut off = pilot.vectors.clone();
@@ -381,8 +354,8 @@ fn adapted(pilot: &Sample, widening: f64) -> Option<Proposal> {
 /// them; its shape. With too few weights for a tail the shape is infinite.
 fn smooth_tail(weights: &mut [f64]) -> f64 {
     let count = weights.len();
-    let tail = (0.2 * count as f64).min(3.0 * (count as f64).sqrt()) as usize;
-    if tail < 5 {
+    let tail = (TAIL_SHARE * count as f64).min(TAIL_ROOTS * (count as f64).sqrt()) as usize;
+    if tail < MIN_TAIL {
         return f64::INFINITY;
     }
     let sorted = sorted(weights.iter().copied());

@@ -7,13 +7,17 @@ use rand_chacha::ChaCha8Rng;
 
 use super::fit::{self, Fit};
 use super::likelihood::Innovation;
-use super::model::{ExpectedRestitution, MANY_FLIGHTS, Medium, Model, Point, ReferenceSpeed};
+use super::model::{ExpectedRestitution, Medium, Model, Point, ReferenceSpeed};
 use super::numbering;
 use super::observed::Observed;
 use super::order::order;
+use super::parameters::{
+    DRAG_COEFFICIENT_STEPS, LN_MISSED_FIRST, MANY_FLIGHTS, MAX_MISSED_FIRST, MAX_PARETO_SHAPE,
+    MIN_PART_OF_DRAWS, PRUNE_BELOW, RELEVANT_WEIGHT, THINNING,
+};
 use super::predict::{self, Future, Rest};
 use super::priors::Priors;
-use super::sample::{self, GREATEST_PARETO_SHAPE, Sample};
+use super::sample::{self, Sample};
 use super::smoothing::DropState;
 use super::timed_flights::TimedFlights;
 use crate::ball::Ball;
@@ -25,9 +29,6 @@ use crate::restitution::{LawKind, Restitution};
 use crate::simd::{LANES, one_for_each_lane};
 use crate::stats::sort_by_number;
 use crate::train::LN_MISSED;
-
-/// Every so many draws go into answers that take long.
-pub(super) const THINNED: usize = 2;
 
 /// How much to compute.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -153,23 +154,6 @@ pub(super) struct SampledPosterior {
     pub(super) draws: Pool,
 }
 
-/// A candidate that is more probable than this matters.
-pub(super) const MATTERS: f64 = 0.05;
-
-/// A candidate whose logarithm of the evidence is so far below the best is not sampled: at most one
-/// draw in a thousand would come from it.
-const PRUNE_BELOW: f64 = 7.0;
-
-/// A candidate that is sampled gets at least this part of the draws, so that its evidence is known well enough
-/// for the little that it matters.
-const LEAST_PART: usize = 40;
-
-/// A prior for impacts before the first one heard: each more is half as likely.
-const LOG_PRIOR_OF_MISSED: f64 = -std::f64::consts::LN_2;
-
-/// Nobody misses more of the loudest impacts than this.
-const MOST_MISSED_FIRST: usize = 12;
-
 impl SampledPosterior {
     /// Fits, samples and weighs every model that the priors admits.
     ///
@@ -220,10 +204,10 @@ impl SampledPosterior {
         )?];
         let middle = ReferenceSpeed::new(&observed, &media[0])?;
         if priors.constant_drag_too && follows_reynolds(environment) {
-            // Drag shows most at the fastest impact; four digits are more than anyone knows.
+            // Drag shows most at the fastest impact.
             let reynolds = environment.air.reynolds(ball, middle.speeds.fastest_m_s);
             let coefficient = environment.drag.coefficient(reynolds)?;
-            let rounded = (coefficient * 1e4).round() / 1e4;
+            let rounded = (coefficient * DRAG_COEFFICIENT_STEPS).round() / DRAG_COEFFICIENT_STEPS;
             let law = DragLaw::Constant(rounded);
             media.push(Medium::new(
                 ball,
@@ -462,7 +446,7 @@ impl SampledPosterior {
 
     /// Logarithm of the prior probability of a candidate, but for a constant.
     fn log_prior(&self, candidate: &Candidate) -> f64 {
-        candidate.missed_first as f64 * LOG_PRIOR_OF_MISSED
+        candidate.missed_first as f64 * LN_MISSED_FIRST
             + self.numberings[candidate.numbering].observed.missed() as f64 * LN_MISSED
     }
 
@@ -482,7 +466,7 @@ impl SampledPosterior {
             let sample = sample::sample(
                 &model,
                 &candidate.fit,
-                draws.max(sampler.draws / LEAST_PART),
+                draws.max(sampler.draws / MIN_PART_OF_DRAWS),
                 &mut sampler.rng_of(candidate),
             );
             if let Some(sample) = sample {
@@ -569,7 +553,7 @@ impl SampledPosterior {
     pub(super) fn pareto_shape(&self) -> f64 {
         let weights = self.candidates.iter().map(|candidate| candidate.weight);
         // Of many that are alike none may be so probable, but they do matter.
-        let matters = weights.fold(0.0, f64::max).min(MATTERS);
+        let matters = weights.fold(0.0, f64::max).min(RELEVANT_WEIGHT);
         self.candidates
             .iter()
             .filter(|candidate| candidate.weight >= matters)
@@ -582,7 +566,7 @@ impl SampledPosterior {
 
     /// Whether the sampling can be trusted.
     pub(super) fn converged(&self) -> bool {
-        !self.draws.is_empty() && self.pareto_shape() < GREATEST_PARETO_SHAPE
+        !self.draws.is_empty() && self.pareto_shape() < MAX_PARETO_SHAPE
     }
 
     /// Independent draws that would say as much as those made.
@@ -624,7 +608,7 @@ impl SampledPosterior {
     /// The drops that every so many of the draws say the times tell, by the points that all draws stand for; none
     /// if one of them makes no sense.
     pub(super) fn drops(&self, points: &[Point]) -> Vec<DrawnDrop> {
-        let draws = self.draws.iter().zip(points).step_by(THINNED);
+        let draws = self.draws.iter().zip(points).step_by(THINNING);
         let chosen: Vec<(usize, Point)> = draws
             .map(|(draw, point)| (draw.candidate, *point))
             .collect();
@@ -726,7 +710,7 @@ fn most_missed(law: LawKind, numbering: usize, candidates: &[Candidate]) -> usiz
     let alike = || candidates.iter().filter(alike);
     let best = best_evidence(alike());
     let possible = alike().rfind(|candidate| candidate.log_evidence >= best - 2.0 * PRUNE_BELOW);
-    possible.map_or(MOST_MISSED_FIRST, |candidate| candidate.missed_first)
+    possible.map_or(MAX_MISSED_FIRST, |candidate| candidate.missed_first)
 }
 
 /// The highest log posterior of the fits of a numbering.

@@ -3,11 +3,8 @@
 //! ln of the factor is A z + B ((1 + z²)^1/2 - 1) with a standard normal z: normal below the typical scatter and above it,
 //! but wider above, because a surface may be much rougher than the usual one.
 
+use super::parameters::{SCATTER_LOG_SD, SCATTER_SKEW};
 use crate::simd::Lanes;
-
-/// Mean of the standard deviations below and above, and half their difference.
-const LOG_SD: f64 = 0.85;
-const SKEW: f64 = 0.15;
 
 /// The factor at a standard normal.
 pub(super) fn factor(normal: f64) -> f64 {
@@ -18,19 +15,19 @@ pub(super) fn factor(normal: f64) -> f64 {
 #[inline(always)]
 pub(super) fn factors<const L: usize>(normal: Lanes<L>) -> Lanes<L> {
     let root = (normal * normal + 1.0).sqrt();
-    (normal * LOG_SD + (root - 1.0) * SKEW).exp()
+    (normal * SCATTER_LOG_SD + (root - 1.0) * SCATTER_SKEW).exp()
 }
 
 /// d ln(factor)/d normal.
 pub(super) fn log_slope(normal: f64) -> f64 {
-    LOG_SD + SKEW * normal / normal.hypot(1.0)
+    SCATTER_LOG_SD + SCATTER_SKEW * normal / normal.hypot(1.0)
 }
 
 /// The standard normal of a factor above zero.
 pub(super) fn normal(factor: f64) -> f64 {
-    let log = factor.ln() + SKEW;
-    let product = LOG_SD * LOG_SD - SKEW * SKEW;
-    (LOG_SD * log - SKEW * log.hypot(product.sqrt())) / product
+    let log = factor.ln() + SCATTER_SKEW;
+    let product = SCATTER_LOG_SD * SCATTER_LOG_SD - SCATTER_SKEW * SCATTER_SKEW;
+    (SCATTER_LOG_SD * log - SCATTER_SKEW * log.hypot(product.sqrt())) / product
 }
 
 #[cfg(test)]

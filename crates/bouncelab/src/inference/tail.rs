@@ -3,13 +3,8 @@
 use rand::{Rng, RngExt};
 use rand_distr::{Distribution, StandardNormal};
 
+use super::parameters::{MAX_FREEDOM, SCATTER_EXPONENTIALS, SCATTER_FREEDOM};
 use crate::simd::Lanes;
-
-/// Degrees of freedom of the scatter: nearly normal in the middle, with the fourth moment (an excess
-/// of 3) of the two exponentials that were measured.
-pub(super) const FREEDOM: f64 = 2.0 * EXPONENTIALS as f64;
-/// A chi-squared of so many degrees is a sum of half as many exponentials.
-const EXPONENTIALS: usize = 3;
 
 /// Deviations of restitution, in units of the scatter, each from the random numbers of its lane, if it has any.
 pub(super) fn draw<const L: usize>(random: [Option<&mut impl Rng>; L]) -> Lanes<L> {
@@ -17,11 +12,13 @@ pub(super) fn draw<const L: usize>(random: [Option<&mut impl Rng>; L]) -> Lanes<
     for (lane, rng) in random.into_iter().enumerate() {
         if let Some(rng) = rng {
             normals.0[lane] = StandardNormal.sample(rng);
-            products.0[lane] = (0..EXPONENTIALS).map(|_| rng.random::<f64>()).product();
+            products.0[lane] = (0..SCATTER_EXPONENTIALS)
+                .map(|_| rng.random::<f64>())
+                .product();
         }
     }
     let chi_squared = products.ln() * -2.0;
-    normals * (Lanes::all(FREEDOM - 2.0) / chi_squared).sqrt()
+    normals * (Lanes::all(SCATTER_FREEDOM - 2.0) / chi_squared).sqrt()
 }
 
 /// Student's t with variance one, of an innovation that is scatter only in part.
@@ -35,13 +32,10 @@ pub(super) struct Tail<const L: usize> {
 }
 
 impl<const L: usize> Tail<L> {
-    /// So light a tail is normal.
-    const LIGHTEST: f64 = 1e6;
-
     #[inline(always)]
     pub(super) fn of(scatter_share: Lanes<L>) -> Self {
-        let per_square = Lanes::all(FREEDOM - 4.0) / (scatter_share * scatter_share);
-        let freedom = (per_square + 4.0).min(Self::LIGHTEST);
+        let per_square = Lanes::all(SCATTER_FREEDOM - 4.0) / (scatter_share * scatter_share);
+        let freedom = (per_square + 4.0).min(MAX_FREEDOM);
         Self {
             freedom,
             per_freedom: Lanes::all(1.0) / freedom,
@@ -102,7 +96,7 @@ mod tests {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
         let draws: Vec<f64> = (0..40_000).map(|_| draw([Some(&mut rng)]).0[0]).collect();
         for (quantile, share) in [(1.440, 0.2), (2.447, 0.05)] {
-            let limit = quantile * ((FREEDOM - 2.0) / FREEDOM).sqrt();
+            let limit = quantile * ((SCATTER_FREEDOM - 2.0) / SCATTER_FREEDOM).sqrt();
             let beyond = draws.iter().filter(|draw| draw.abs() > limit).count();
             let found = beyond as f64 / draws.len() as f64;
             assert!((found - share).abs() < 0.008, "{found} {share}");

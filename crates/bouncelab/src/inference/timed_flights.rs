@@ -9,15 +9,9 @@ use std::sync::OnceLock;
 
 use super::model::Medium;
 use super::observed::Observed;
+use super::parameters::{IMPOSSIBLE_LOG_SPEED, PARABOLA_REACH};
 use crate::flight::table::{Blend, FlightTable, FlightTables, STRENGTHS};
 use crate::simd::Lanes;
-
-/// How far from its nominal duration each parabola touches its flight, relative.
-const REACH: f64 = 0.02;
-
-/// What drag does to a flight that the tables do not know: no likelihood is left, but a strength to which such a flight
-/// counts for nothing has its own.
-const ABSURD: f64 = 1e200;
 
 /// What drag does to a flight, by the relative change x of g T: the logarithms of its launch speed and of its
 /// impact speed over g T/2, each as a + x (b + x c).
@@ -91,12 +85,15 @@ impl TimedFlights {
                     let gravity_time = (1.0 + x) / per_nominal;
                     let row = table.lasting(gravity_time);
                     let over_free = |speed: f64| (2.0 * speed / gravity_time).ln();
-                    row.map_or([ABSURD; 2], |row| [row.launch, row.impact].map(over_free))
+                    row.map_or([IMPOSSIBLE_LOG_SPEED; 2], |row| {
+                        [row.launch, row.impact].map(over_free)
+                    })
                 };
-                let (before, here, after) = (at(-REACH), at(0.0), at(REACH));
+                let (before, here, after) = (at(-PARABOLA_REACH), at(0.0), at(PARABOLA_REACH));
                 let parabola = |i: usize| {
-                    let slope = (after[i] - before[i]) / (2.0 * REACH);
-                    let bend = (after[i] - 2.0 * here[i] + before[i]) / (2.0 * REACH * REACH);
+                    let slope = (after[i] - before[i]) / (2.0 * PARABOLA_REACH);
+                    let bend = (after[i] - 2.0 * here[i] + before[i])
+                        / (2.0 * PARABOLA_REACH * PARABOLA_REACH);
                     [here[i], slope, bend]
                 };
                 let ([a, b, c], [d, e, f]) = (parabola(0), parabola(1));

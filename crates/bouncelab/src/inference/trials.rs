@@ -2,7 +2,8 @@
 
 use std::array;
 
-use super::model::{Height, LEAST_KEPT, Model, Point, Slot};
+use super::model::{Height, Model, Point, Slot};
+use super::parameters::MIN_KEPT;
 use super::priors::Measured;
 use super::residual::InitialFall;
 use super::timed_flights::FlightsAtStrengths;
@@ -130,7 +131,7 @@ impl<'a> Model<'a> {
         let mut ln_impact = ln_launch - laws.ln_at_with_log_slope(ln_launch).0;
         let (ln_restitution, log_slope) = laws.ln_at_with_log_slope(ln_impact);
         let off = ln_launch - ln_impact - ln_restitution;
-        ln_impact = ln_impact + off / (log_slope + 1.0).max(LEAST_KEPT);
+        ln_impact = ln_impact + off / (log_slope + 1.0).max(MIN_KEPT);
         let impact = ln_impact.exp();
         let rows: [Option<Row>; L] = array::from_fn(|lane| tables[lane].launch(impact.0[lane]));
         let of = |number: fn(&Row) -> f64| {
