@@ -1,13 +1,14 @@
 //! From the draws of the posterior to the estimates.
 
+use super::candidates::SampledPosterior;
 use super::likelihood::Innovation;
-use super::model::Point;
 use super::parameters::{MAX_TERMINAL_SPEED_STEPS, MIN_SHARE_AT_REST, NEWTON_TOLERANCE, THINNING};
+use super::pool::DrawnDrop;
 use super::posterior::{Draws, ImpactPosterior, Model, Posterior, Sampling};
 use super::predict::Rest;
 use super::priors::Measured;
-use super::sampled::{DrawnDrop, SampledPosterior};
 use super::smoothing::DropState;
+use super::unknowns::Point;
 use super::{ApexTarget, InferenceOptions, Prediction, budget, findings, identify, predict};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::drag::DragLaw;

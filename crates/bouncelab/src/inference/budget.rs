@@ -7,11 +7,11 @@
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use super::banded::Banded;
+use super::candidates::{Candidate, SampledPosterior};
 use super::likelihood::Differences;
-use super::model::{Model, Slot};
 use super::parameters::DIFFERENCE_STEP;
 use super::residual::Noise;
-use super::sampled::{Candidate, SampledPosterior};
+use super::unknowns::{Model, Slot};
 use crate::simd::Lanes;
 use crate::stats::sort_by_number;
 

@@ -1,5 +1,6 @@
 //! The diagnostics of an inference.
 
+use super::candidates::SampledPosterior;
 use super::fit;
 use super::identify::{PriorContraction, Unknown};
 use super::likelihood::Innovation;
@@ -7,8 +8,8 @@ use super::parameters::{
     CLEAR_LAW_WEIGHT, CONTRADICTION_SDS, FEW_IMPACTS, LARGE_SCATTER_FACTOR, MANY_RESTITUTIONS,
     MAX_PARETO_SHAPE, OUTLIER_WEIGHT, RELEVANT_WEIGHT, UNINFORMATIVE,
 };
+use super::pool::Pool;
 use super::priors::{Measured, Priors};
-use super::sampled::{Pool, SampledPosterior};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::restitution::LawKind;
 

@@ -3,11 +3,11 @@
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use super::likelihood::Differences;
-use super::model::{ExpectedRestitution, Model, Slot};
 use super::parameters::{
     LARGE_GAIN, MAX_FIT_STEPS, MAX_GAIN_OVER_PROMISE, NEAR_SDS, SHORT_STEP, SMALL_GAIN,
     STEP_FRACTIONS,
 };
+use super::unknowns::{ExpectedRestitution, Model, Slot};
 
 /// The best vector of a model and the curvature there.
 #[derive(Debug, Clone)]
@@ -171,8 +171,8 @@ impl Secants {
 mod tests {
     use super::*;
     use crate::inference::likelihood::tests::{impacts, with_model};
-    use crate::inference::model::Point;
     use crate::inference::priors::Priors;
+    use crate::inference::unknowns::Point;
     use crate::restitution::LawKind;
     use crate::simd::Lanes;
 

@@ -1,8 +1,8 @@
 //! Prior contraction: what the data determine, and what the priors.
 
-use super::model::Slot;
+use super::candidates::SampledPosterior;
 use super::parameters::{CONSTANT_REL_SD, MIN_PART_WITH_UNKNOWN};
-use super::sampled::SampledPosterior;
+use super::unknowns::Slot;
 use crate::stats::{mean, sd};
 
 /// Something that was not known before the data.

@@ -45,33 +45,36 @@
 mod answers;
 mod banded;
 mod budget;
+mod candidates;
 mod findings;
 mod fit;
 mod identify;
 mod likelihood;
-mod model;
+mod medium;
 mod numbering;
 mod observed;
 mod order;
 mod parameters;
+mod pool;
 mod posterior;
 mod predict;
 mod priors;
+mod reference_speed;
 mod residual;
 mod sample;
-mod sampled;
 mod scatter_prior;
 mod smoothing;
 mod tail;
 mod timed_flights;
 mod trials;
+mod unknowns;
 
 pub use budget::{Budget, Share};
 pub use identify::{Correlations, PriorContraction, Unknown};
 pub use parameters::{MAX_PARETO_SHAPE, UNINFORMATIVE, UNKNOWN};
+pub use pool::SamplerConfig;
 pub use posterior::{BandPoint, Draws, ImpactPosterior, Model, Posterior, Sampling};
 pub use priors::{Measured, Priors};
-pub use sampled::SamplerConfig;
 
 use crate::ball::Ball;
 use crate::error::{Error, InferenceFailure, Quantity, Result, positive};
@@ -80,7 +83,7 @@ use crate::flight::Environment;
 use crate::impact::Impact;
 use crate::restitution::{LawKind, Restitution};
 use answers::Answers;
-use sampled::SampledPosterior;
+use candidates::SampledPosterior;
 
 /// What to ask of the posterior.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,11 +2,11 @@
 
 use super::Prediction;
 use super::budget::{self, Budget};
+use super::candidates::SampledPosterior;
 use super::identify::{Correlations, PriorContraction};
 use super::parameters::{BAND_ENDS, BAND_POINTS, OUTLIER_WEIGHT, THINNING};
 use super::predict;
 use super::priors::Measured;
-use super::sampled::SampledPosterior;
 use crate::diagnostic::Diagnostic;
 use crate::drag::DragLaw;
 use crate::estimate::Estimate;

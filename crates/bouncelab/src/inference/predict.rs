@@ -6,12 +6,12 @@ use std::ops::ControlFlow;
 use rand::SeedableRng;
 use rand::rngs::Xoshiro256PlusPlus;
 
-use super::model::{Model, Point};
 use super::parameters::{MAX_BOUNCES, MAX_LOSS_EXPONENT, REST_M_S};
 use super::priors::Priors;
 use super::sample;
 use super::smoothing::DropState;
 use super::tail;
+use super::unknowns::{Model, Point};
 use crate::flight::table::BlendedTable;
 use crate::restitution::Restitutions;
 use crate::simd::{LANES, Lanes, dispatch};

@@ -5,9 +5,9 @@
 //! what each depends on, and how strongly.
 
 use super::banded::Banded;
-use super::model::Point;
 use super::parameters::{MAX_GAP_STEPS, MIN_WEIGHT, NEWTON_TOLERANCE};
 use super::priors::Measured;
+use super::unknowns::Point;
 use crate::flight::table::{FlightTable, Row};
 use crate::restitution::Restitutions;
 use crate::simd::Lanes;

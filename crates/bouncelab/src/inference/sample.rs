@@ -18,12 +18,12 @@ use rand_chacha::ChaCha8Rng;
 use sobol_burley::{NUM_DIMENSION_SETS_4D, sample_4d};
 
 use super::fit::Fit;
-use super::model::Model;
 use super::parameters::{
     DOUBTFUL_SHAPE, ENOUGH_DRAWS, FLATTENING_POWERS, MAX_ROUNDS, MIN_DRAWS, MIN_DRAWS_PER_UNKNOWN,
     MIN_SHARE, MIN_TAIL, PILOT_DRAWS, PROPOSAL_EXPONENTIALS, PROPOSAL_FREEDOM, TAIL_ROOTS,
     TAIL_SHARE, USUAL_SHARE, WIDENING,
 };
+use super::unknowns::Model;
 use crate::simd::{LANES, Lanes, dispatch};
 use crate::stats::sorted;
 

@@ -10,9 +10,9 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::banded::Banded;
 use super::likelihood::Evaluation;
-use super::model::{Model, Point};
 use super::observed::Observed;
 use super::residual::{Gap, Noise, Residual};
+use super::unknowns::{Model, Point};
 use crate::simd::{Lanes, dispatch};
 
 /// A drop as the times may tell it.

@@ -7,7 +7,7 @@
 
 use std::sync::OnceLock;
 
-use super::model::Medium;
+use super::medium::Medium;
 use super::observed::Observed;
 use super::parameters::{IMPOSSIBLE_LOG_SPEED, PARABOLA_REACH};
 use crate::flight::table::{Blend, FlightTable, FlightTables, STRENGTHS};

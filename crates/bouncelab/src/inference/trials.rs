@@ -2,11 +2,11 @@
 
 use std::array;
 
-use super::model::{Height, Model, Point, Slot};
 use super::parameters::MIN_KEPT;
 use super::priors::Measured;
 use super::residual::InitialFall;
 use super::timed_flights::FlightsAtStrengths;
+use super::unknowns::{Height, Model, Point, Slot};
 use crate::flight::table::{FlightTable, LEAST_SLOPE, Row};
 use crate::restitution::Restitutions;
 use crate::simd::{Lanes, dispatch};

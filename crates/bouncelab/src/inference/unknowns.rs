@@ -1,24 +1,20 @@
-//! The unknowns of a drop, their priors, and the place of each in a vector.
+//! The unknowns of a drop, their priors, and the index of each in a vector.
 
 use nalgebra::DMatrix;
 
+use super::medium::Medium;
 use super::observed::Observed;
 use super::parameters::{
-    MANY_FLIGHTS, MAX_LOG_RESTITUTION, MAX_START_NORMAL, MIN_KEPT, MIN_SPEED_RATIO,
-    MIN_START_SCATTER, NEWTON_TOLERANCE, START_RESTITUTION, START_RESTITUTIONS, TABLE_REACH,
-    TABLE_STEPS, UNSTATED_TIMING_SD,
+    MANY_FLIGHTS, MAX_START_NORMAL, MIN_KEPT, NEWTON_TOLERANCE, START_RESTITUTIONS,
+    UNSTATED_TIMING_SD,
 };
 use super::priors::{Measured, Priors};
+use super::reference_speed::ReferenceSpeed;
 use super::scatter_prior;
 use super::timed_flights::TimedFlights;
-use crate::ball::Ball;
-use crate::drag::DragLaw;
-use crate::error::{Error, InferenceFailure, Result};
-use crate::flight::table::{DragProfile, FlightTables, MAX_STEPS, Row};
-use crate::flight::{Environment, FlightModel};
-use crate::restitution::{LawKind, MAX_SHAPES, Restitution, SpeedRange};
+use crate::flight::table::MAX_STEPS;
+use crate::restitution::{LawKind, MAX_SHAPES, Restitution};
 use crate::simd::Lanes;
-use crate::stats::{median, robust_sd};
 
 /// One physical explanation of a drop: which restitution law, which drag law, and how many impacts
 /// went before the first one detected.
@@ -39,31 +35,6 @@ pub(super) struct Model<'a> {
     expected_restitution: Option<ExpectedRestitution>,
 }
 
-/// Ball, air and gravity under one drag law, with what is not known of them.
-#[derive(Debug, Clone)]
-pub(super) struct Medium {
-    pub(super) drag_law: DragLaw,
-    pub(super) flights: FlightTables,
-    /// Effective gravity, m/s².
-    pub(super) gravity_m_s2: f64,
-    pub(super) drag_sd: f64,
-    /// Contact time, s, and its relative standard uncertainty.
-    pub(super) contact_time_s: f64,
-    pub(super) contact_sd: f64,
-    pub(super) inputs: Inputs,
-}
-
-/// The inputs act on a flight in two ways only: on the effective gravity and on drag over weight.
-/// Their joint prior is normal in the logarithms, and this is its triangular root.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Inputs {
-    /// One row for each input: name, d ln g, d ln(drag), each for one standard uncertainty.
-    pub(super) sources: Vec<(&'static str, f64, f64)>,
-    gravity_sd: f64,
-    drag_on_gravity: f64,
-    drag_sd: f64,
-}
-
 /// What the unknowns that impacts hardly tell make one expect of the restitution: a logit that is linear in them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ExpectedRestitution {
@@ -76,21 +47,6 @@ pub(super) struct ExpectedRestitution {
 impl ExpectedRestitution {
     /// The unknowns that impacts hardly tell.
     pub(super) const BY: [Slot; 4] = [Slot::Drag, Slot::Gravity, Slot::Inputs, Slot::Contact];
-}
-
-/// The middle of what was detected, at which laws are pinned.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct ReferenceSpeed {
-    /// The speeds of the impacts; v* is their geometric mean.
-    pub(super) speeds: SpeedRange,
-    /// Median of the restitutions, or a guess.
-    pub(super) restitution: f64,
-    /// Launch speed after the first impact detected, m/s.
-    pub(super) first_launch_m_s: f64,
-    /// Robust standard deviation of ln e, if any impact shows one.
-    pub(super) scatter: Option<f64>,
-    /// How many times larger than stated the errors of the times are, if they make all of it.
-    pub(super) timing: Option<f64>,
 }
 
 /// An unknown with a place in the vector.
@@ -159,120 +115,6 @@ impl Point {
             }
         }
         impact.is_finite().then_some(impact)
-    }
-}
-
-impl Medium {
-    pub(super) fn new(
-        ball: &Ball,
-        environment: &Environment,
-        drag_law: DragLaw,
-        contact_time_s: f64,
-        observed: &Observed,
-        priors: &Priors,
-    ) -> Result<Self> {
-        let environment = Environment {
-            drag: drag_law,
-            ..*environment
-        };
-        let model = FlightModel::new(ball, &environment)?;
-        let gravity_m_s2 = model.gravity_m_s2();
-        let mut fastest = 0.5 * gravity_m_s2 * observed.longest_flight_s();
-        if let Some(height) = priors.drop_height_m {
-            fastest = fastest.max((2.0 * gravity_m_s2 * height.value).sqrt());
-        }
-        let dragless = drag_law == DragLaw::None || environment.air.is_vacuum();
-        // Higher for drag, and for the fall before a dead first impact.
-        let reach = (2.0 / observed.first_ratio()).clamp(TABLE_REACH[0], TABLE_REACH[1]);
-        let steps = (TABLE_STEPS * reach) as usize;
-        Ok(Self {
-            drag_law,
-            flights: FlightTables::new(DragProfile::new(&model, reach * fastest, steps)?),
-            gravity_m_s2,
-            drag_sd: if dragless { 0.0 } else { priors.drag_rel_sd },
-            contact_time_s,
-            contact_sd: priors.contact_time_rel_sd,
-            inputs: Inputs::new(ball, &environment, priors, dragless),
-        })
-    }
-}
-
-impl Inputs {
-    /// With r the mass of the displaced air over that of the ball and c the added mass as a share
-    /// of it, effective gravity is g (1 - r)/(1 + c r), and drag over weight goes as D² rho/((1 - r) m g).
-    fn new(ball: &Ball, environment: &Environment, priors: &Priors, dragless: bool) -> Self {
-        let displaced = environment.air.density_kg_m3() * ball.volume_m3() / ball.mass_kg();
-        let r = if environment.buoyancy { displaced } else { 0.0 };
-        let cr = if environment.added_mass {
-            0.5 * displaced
-        } else {
-            0.0
-        };
-        let lift = r / (1.0 - r);
-        let on_gravity = lift + cr / (1.0 + cr);
-        let drag = if dragless { 0.0 } else { 1.0 };
-        let mut sources = vec![
-            (
-                "gravity",
-                priors.gravity_rel_sd,
-                -drag * priors.gravity_rel_sd,
-            ),
-            (
-                "air-density",
-                -on_gravity * priors.air_density_rel_sd,
-                drag * (1.0 + lift) * priors.air_density_rel_sd,
-            ),
-            (
-                "ball-mass",
-                on_gravity * priors.mass_rel_sd,
-                -drag * (1.0 + lift) * priors.mass_rel_sd,
-            ),
-            (
-                "ball-diameter",
-                -3.0 * on_gravity * priors.diameter_rel_sd,
-                drag * (2.0 + 3.0 * lift) * priors.diameter_rel_sd,
-            ),
-            (
-                "added-mass",
-                -cr / (1.0 + cr) * priors.added_mass_rel_sd,
-                0.0,
-            ),
-        ];
-        sources.retain(|&(_, g, d)| g != 0.0 || d != 0.0);
-        let sum = |f: fn(f64, f64) -> f64| sources.iter().map(|&(_, g, d)| f(g, d)).sum::<f64>();
-        let gravity_sd = sum(|g, _| g * g).sqrt();
-        let drag_on_gravity = if gravity_sd > 0.0 {
-            sum(|g, d| g * d) / gravity_sd
-        } else {
-            0.0
-        };
-        let rest = sum(|_, d| d * d) - drag_on_gravity * drag_on_gravity;
-        Self {
-            gravity_sd,
-            drag_on_gravity,
-            drag_sd: rest.max(0.0).sqrt(),
-            sources,
-        }
-    }
-
-    /// How much of a change of the effective gravity one expects to be gravity itself.
-    pub(super) fn gravity_share(&self) -> f64 {
-        let own = self.sources.iter().find(|(name, ..)| *name == "gravity");
-        match own {
-            Some((_, sd, _)) if self.gravity_sd > 0.0 => (sd / self.gravity_sd).powi(2),
-            _ => 0.0,
-        }
-    }
-
-    /// What one standard uncertainty of an input moves the two standard normals by.
-    pub(super) fn whitened(&self, source: usize) -> [f64; 2] {
-        let (_, gravity, drag) = self.sources[source];
-        let divide = |a: f64, b: f64| if b > 0.0 { a / b } else { 0.0 };
-        let first = divide(gravity, self.gravity_sd);
-        [
-            first,
-            divide(drag - self.drag_on_gravity * first, self.drag_sd),
-        ]
     }
 }
 
@@ -549,63 +391,6 @@ impl<'a> Model<'a> {
             sum = sum + log;
         }
         sum
-    }
-}
-
-impl ReferenceSpeed {
-    /// From the restitution of each impact at the nominal drag; a guess where there is none.
-    ///
-    /// # Errors
-    /// [`Error::CannotInfer`] if the ball gains speed in most impacts, or a flight is too long for
-    /// a ball with so much drag.
-    pub(super) fn new(observed: &Observed, media: &Medium) -> Result<Self> {
-        let nominal = media.flights.at(1.0);
-        let rows = observed
-            .intervals
-            .iter()
-            .map(|interval| {
-                let time_s = interval.duration_s / interval.flights as f64 - media.contact_time_s;
-                nominal?.lasting(media.gravity_m_s2 * time_s)
-            })
-            .collect::<Option<Vec<Row>>>()
-            .ok_or(Error::CannotInfer(InferenceFailure::FlightTooLong))?;
-        let single = |place: usize| observed.intervals[place].flights == 1;
-        let places = (1..rows.len()).filter(|&place| single(place) && single(place - 1));
-        let logs: Vec<(usize, f64)> = places
-            .map(|place| (place, (rows[place].launch / rows[place - 1].impact).ln()))
-            .collect();
-        let middle = median(logs.iter().map(|&(_, log)| log));
-        let off = |log: f64| log - middle.unwrap_or(0.0);
-        let scatter = robust_sd(logs.iter().map(|&(_, log)| off(log)));
-        let by_time = |place: usize| {
-            let [before, after] =
-                [place - 1, place].map(|it| 1.0 / observed.intervals[it].duration_s);
-            let slopes = [before, before + after, after].into_iter();
-            let by = slopes
-                .zip(&observed.sigma_s[place - 1..])
-                .map(|(slope, sigma)| slope * sigma);
-            by.map(|by| by * by).sum::<f64>().sqrt()
-        };
-        let timing = robust_sd(logs.iter().map(|&(place, log)| off(log) / by_time(place)));
-        if middle.is_some_and(|log_e| log_e > MAX_LOG_RESTITUTION) {
-            return Err(Error::CannotInfer(InferenceFailure::GainsSpeed));
-        }
-        let speeds = rows.iter().map(|row| row.impact).chain([rows[0].launch]);
-        let slowest_m_s = speeds.clone().fold(f64::INFINITY, f64::min);
-        let fastest_m_s = speeds.clone().fold(0.0, f64::max);
-        let mean_log = speeds.map(f64::ln).sum::<f64>() / (rows.len() + 1) as f64;
-        Ok(Self {
-            speeds: SpeedRange {
-                reference_m_s: mean_log.exp(),
-                slowest_m_s,
-                // A knee needs a range even where all impacts are alike.
-                fastest_m_s: fastest_m_s.max(MIN_SPEED_RATIO * slowest_m_s),
-            },
-            restitution: middle.map_or(START_RESTITUTION, f64::exp),
-            first_launch_m_s: rows[0].launch,
-            scatter: scatter.map(|scatter| scatter.max(MIN_START_SCATTER)),
-            timing,
-        })
     }
 }
 

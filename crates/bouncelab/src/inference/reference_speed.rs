@@ -1,0 +1,83 @@
+//! A first look at the impacts: the speed at which laws are given, and where a search starts.
+
+use super::medium::Medium;
+use super::observed::Observed;
+use super::parameters::{
+    MAX_LOG_RESTITUTION, MIN_SPEED_RATIO, MIN_START_SCATTER, START_RESTITUTION,
+};
+use crate::error::{Error, InferenceFailure, Result};
+use crate::flight::table::Row;
+use crate::restitution::SpeedRange;
+use crate::stats::{median, robust_sd};
+
+/// The middle of what was detected, at which laws are pinned.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ReferenceSpeed {
+    /// The speeds of the impacts; v* is their geometric mean.
+    pub(super) speeds: SpeedRange,
+    /// Median of the restitutions, or a guess.
+    pub(super) restitution: f64,
+    /// Launch speed after the first impact detected, m/s.
+    pub(super) first_launch_m_s: f64,
+    /// Robust standard deviation of ln e, if any impact shows one.
+    pub(super) scatter: Option<f64>,
+    /// How many times larger than stated the errors of the times are, if they make all of it.
+    pub(super) timing: Option<f64>,
+}
+
+impl ReferenceSpeed {
+    /// From the restitution of each impact at the nominal drag; a guess where there is none.
+    ///
+    /// # Errors
+    /// [`Error::CannotInfer`] if the ball gains speed in most impacts, or a flight is too long for
+    /// a ball with so much drag.
+    pub(super) fn new(observed: &Observed, media: &Medium) -> Result<Self> {
+        let nominal = media.flights.at(1.0);
+        let rows = observed
+            .intervals
+            .iter()
+            .map(|interval| {
+                let time_s = interval.duration_s / interval.flights as f64 - media.contact_time_s;
+                nominal?.lasting(media.gravity_m_s2 * time_s)
+            })
+            .collect::<Option<Vec<Row>>>()
+            .ok_or(Error::CannotInfer(InferenceFailure::FlightTooLong))?;
+        let single = |place: usize| observed.intervals[place].flights == 1;
+        let places = (1..rows.len()).filter(|&place| single(place) && single(place - 1));
+        let logs: Vec<(usize, f64)> = places
+            .map(|place| (place, (rows[place].launch / rows[place - 1].impact).ln()))
+            .collect();
+        let middle = median(logs.iter().map(|&(_, log)| log));
+        let off = |log: f64| log - middle.unwrap_or(0.0);
+        let scatter = robust_sd(logs.iter().map(|&(_, log)| off(log)));
+        let by_time = |place: usize| {
+            let [before, after] =
+                [place - 1, place].map(|it| 1.0 / observed.intervals[it].duration_s);
+            let slopes = [before, before + after, after].into_iter();
+            let by = slopes
+                .zip(&observed.sigma_s[place - 1..])
+                .map(|(slope, sigma)| slope * sigma);
+            by.map(|by| by * by).sum::<f64>().sqrt()
+        };
+        let timing = robust_sd(logs.iter().map(|&(place, log)| off(log) / by_time(place)));
+        if middle.is_some_and(|log_e| log_e > MAX_LOG_RESTITUTION) {
+            return Err(Error::CannotInfer(InferenceFailure::GainsSpeed));
+        }
+        let speeds = rows.iter().map(|row| row.impact).chain([rows[0].launch]);
+        let slowest_m_s = speeds.clone().fold(f64::INFINITY, f64::min);
+        let fastest_m_s = speeds.clone().fold(0.0, f64::max);
+        let mean_log = speeds.map(f64::ln).sum::<f64>() / (rows.len() + 1) as f64;
+        Ok(Self {
+            speeds: SpeedRange {
+                reference_m_s: mean_log.exp(),
+                slowest_m_s,
+                // A knee needs a range even where all impacts are alike.
+                fastest_m_s: fastest_m_s.max(MIN_SPEED_RATIO * slowest_m_s),
+            },
+            restitution: middle.map_or(START_RESTITUTION, f64::exp),
+            first_launch_m_s: rows[0].launch,
+            scatter: scatter.map(|scatter| scatter.max(MIN_START_SCATTER)),
+            timing,
+        })
+    }
+}
