@@ -17,7 +17,7 @@ pub(super) fn residuals(posterior: &Posterior, translator: &Translator) -> Chart
         let impacts = posterior
             .impacts
             .iter()
-            .filter(|impact| impact.is_odd() == odd);
+            .filter(|impact| impact.is_outlier() == odd);
         let residuals = impacts.filter_map(|i| Some([i.number as f64, i.standardised_residual?]));
         residuals.collect()
     };

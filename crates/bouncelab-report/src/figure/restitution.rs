@@ -120,7 +120,7 @@ fn outliers(drop: &Drop, corrected: &[Point]) -> Vec<Point> {
     let is_outlier = |number| {
         posterior
             .impact(number)
-            .is_some_and(ImpactPosterior::is_odd)
+            .is_some_and(ImpactPosterior::is_outlier)
     };
     numbered
         .filter(|(impact, _)| is_outlier(impact.number))

@@ -140,8 +140,8 @@ impl Answers {
                 total_time_s: rest.iter().map(|rest| rest.time_s).collect(),
             },
             fitted_speeds_m_s: posterior.fitted_speeds_m_s().unwrap_or([
-                posterior.middle.speeds.slowest_m_s,
-                posterior.middle.speeds.fastest_m_s,
+                posterior.reference.speeds.slowest_m_s,
+                posterior.reference.speeds.fastest_m_s,
             ]),
             weights,
             sampled: posterior,
@@ -161,12 +161,12 @@ impl Answers {
         let nominal: Vec<f64> = posterior
             .media
             .iter()
-            .map(|s| s.drag_law.coefficient(reynolds).unwrap_or(f64::NAN))
+            .map(|medium| medium.drag_law.coefficient(reynolds).unwrap_or(f64::NAN))
             .collect();
         let of_draw = posterior.draws.iter().zip(&self.points);
         of_draw
             .map(|(draw, point)| {
-                point.drag_scale * nominal[posterior.candidates[draw.candidate].media]
+                point.drag_scale * nominal[posterior.candidates[draw.candidate].medium]
             })
             .collect()
     }
@@ -179,9 +179,9 @@ impl Answers {
         let models: Vec<FlightModel> = posterior
             .media
             .iter()
-            .map(|media| {
+            .map(|medium| {
                 let environment = Environment {
-                    drag: media.drag_law,
+                    drag: medium.drag_law,
                     ..*environment
                 };
                 FlightModel::new(&posterior.ball, &environment)
@@ -190,8 +190,8 @@ impl Answers {
             .ok()?;
         let of_draw = posterior.draws.iter().zip(&self.points);
         let terminal = of_draw.step_by(THINNING).filter_map(|(draw, point)| {
-            let media = posterior.candidates[draw.candidate].media;
-            terminal_speed(&models[media], point.drag_strength)
+            let medium = posterior.candidates[draw.candidate].medium;
+            terminal_speed(&models[medium], point.drag_strength)
         });
         Some(Drag {
             coefficient,
@@ -207,17 +207,17 @@ impl Answers {
     /// Gravity itself, of which the effective gravity is only a part: the rest of what moved that
     /// belongs to buoyancy and added mass.
     fn environment_gravity(&self, posterior: &SampledPosterior) -> Vec<f64> {
-        let media = &posterior.media[posterior.candidates[0].media];
-        let share = media.inputs.gravity_share();
+        let medium = &posterior.media[posterior.candidates[0].medium];
+        let share = medium.inputs.gravity_share();
         let stated = posterior.environment.gravity_m_s2;
-        self.of_points(|point| stated * (point.gravity_m_s2 / media.gravity_m_s2).powf(share))
+        self.of_points(|point| stated * (point.gravity_m_s2 / medium.gravity_m_s2).powf(share))
     }
 
     /// The table of models, with the numbers of missed impacts added up.
     fn models(&self, posterior: &SampledPosterior) -> Vec<Model> {
         let mut models: Vec<Model> = Vec::new();
         for candidate in &posterior.candidates {
-            let drag = posterior.media[candidate.media].drag_law;
+            let drag = posterior.media[candidate.medium].drag_law;
             let known = models
                 .iter_mut()
                 .find(|model| model.restitution_law == candidate.law && model.drag_law == drag);
@@ -229,7 +229,7 @@ impl Answers {
                 let of_draw = posterior.draws.iter().zip(values);
                 Estimate::of_draws(of_draw.filter_map(|(draw, &value)| {
                     let drawn = &posterior.candidates[draw.candidate];
-                    let same = drawn.law == candidate.law && drawn.media == candidate.media;
+                    let same = drawn.law == candidate.law && drawn.medium == candidate.medium;
                     same.then_some(value)
                 }))
             };
@@ -254,7 +254,7 @@ impl Answers {
 /// The Reynolds number of the fastest impact detected, where drag is strongest.
 fn fastest_reynolds(posterior: &SampledPosterior) -> f64 {
     let air = &posterior.environment.air;
-    air.reynolds(&posterior.ball, posterior.middle.speeds.fastest_m_s)
+    air.reynolds(&posterior.ball, posterior.reference.speeds.fastest_m_s)
 }
 
 fn predictions(posterior: &SampledPosterior, reach: &[ApexTarget]) -> Vec<Prediction> {
@@ -274,7 +274,7 @@ fn predictions(posterior: &SampledPosterior, reach: &[ApexTarget]) -> Vec<Predic
 
 /// Probabilities of numbers of missed impacts, if something tells.
 fn missed_first(posterior: &SampledPosterior) -> Option<Vec<f64>> {
-    if !posterior.priors.tells_missed() {
+    if !posterior.priors.determine_missed() {
         return None;
     }
     let most = posterior.candidates.iter().map(|c| c.missed_first).max()?;

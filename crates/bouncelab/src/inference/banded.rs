@@ -9,15 +9,15 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::simd::Lanes;
 
-/// A symmetric matrix that is zero more than two places from the diagonal, in each lane.
+/// A symmetric matrix that is zero more than two columns from the diagonal, in each lane.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Banded<const L: usize> {
-    /// Of each row the entries two, one and no places before the diagonal.
+    /// Of each row the entries two, one and no columns before the diagonal.
     rows: Vec<[Lanes<L>; 3]>,
 }
 
 impl<const L: usize> Banded<L> {
-    /// Adds a row: its entries two, one and no places before the diagonal. Entries before the first
+    /// Adds a row: its entries two, one and no columns before the diagonal. Entries before the first
     /// column count for nothing.
     #[inline(always)]
     pub(super) fn push(&mut self, row: [Lanes<L>; 3]) {
@@ -37,7 +37,7 @@ impl<const L: usize> Banded<L> {
         let rows = a.zip(b).zip(c);
         Self {
             rows: rows
-                .map(|((a, b), c)| [0, 1, 2].map(|place| a[place] + b[place] + c[place]))
+                .map(|((a, b), c)| [0, 1, 2].map(|column| a[column] + b[column] + c[column]))
                 .collect(),
         }
     }
@@ -56,8 +56,8 @@ impl<const L: usize> Banded<L> {
         }
         for i in (0..factors.len()).rev() {
             right[i] = right[i] / factors[i][2];
-            for (places, row) in factors[i + 1..].iter().take(2).enumerate() {
-                right[i] = right[i] - row[1 - places] * right[i + 1 + places];
+            for (columns, row) in factors[i + 1..].iter().take(2).enumerate() {
+                right[i] = right[i] - row[1 - columns] * right[i + 1 + columns];
             }
         }
     }
@@ -88,7 +88,8 @@ impl Banded<1> {
         terms
             .map(|(i, row)| {
                 let [second, first, diagonal] = row.map(|entry| entry.0[0]);
-                let before = |places: usize| i.checked_sub(places).map_or(0.0, |place| x[place]);
+                let before =
+                    |columns: usize| i.checked_sub(columns).map_or(0.0, |column| x[column]);
                 x[i] * (diagonal * x[i] + 2.0 * (first * before(1) + second * before(2)))
             })
             .sum()
@@ -107,7 +108,7 @@ impl Banded<1> {
     }
 }
 
-/// A row of the factors L D L' of a banded matrix: the entries of L two and one places before the diagonal,
+/// A row of the factors L D L' of a banded matrix: the entries of L two and one columns before the diagonal,
 /// and that of D.
 pub(super) type FactorRow<T> = [T; 3];
 
@@ -145,9 +146,9 @@ mod tests {
             let wave = (i as f64).sin();
             let row = [0.3 * wave, 0.7 - 0.2 * wave, 3.0 + wave];
             banded.push(row.map(Lanes::all));
-            for places in 0..=i.min(2) {
-                dense[(i, i - places)] = row[2 - places];
-                dense[(i - places, i)] = row[2 - places];
+            for columns in 0..=i.min(2) {
+                dense[(i, i - columns)] = row[2 - columns];
+                dense[(i - columns, i)] = row[2 - columns];
             }
         }
         (banded, dense)

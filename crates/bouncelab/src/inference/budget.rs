@@ -118,7 +118,7 @@ impl Linear {
             ("release-time", of_noise(&self.by_release)),
         ];
         let response = &self.covariance * gradient;
-        let of_slot = |slot: Slot| model.place(slot).map_or(0.0, |place| response[place]);
+        let of_slot = |slot: Slot| model.index(slot).map_or(0.0, |index| response[index]);
         sources.push((
             "restitution-slope",
             (0..3).map(|n| of_slot(Slot::Shape(n)).powi(2)).sum(),
@@ -134,13 +134,13 @@ impl Linear {
     fn inputs(&self, gradient: &DVector<f64>, model: &Model) -> Vec<(&'static str, f64)> {
         // A prior with unit variance moves the unknowns by its column of the covariance.
         let response = &self.covariance * gradient;
-        let of_slot = |slot: Slot| model.place(slot).map_or(0.0, |place| response[place]);
+        let of_slot = |slot: Slot| model.index(slot).map_or(0.0, |index| response[index]);
         let mut inputs = vec![
             ("drag-law", of_slot(Slot::Drag).powi(2)),
             ("contact-time", of_slot(Slot::Contact).powi(2)),
         ];
-        for (index, (name, ..)) in model.media.inputs.sources.iter().enumerate() {
-            let [on_gravity, on_drag] = model.media.inputs.whitened(index);
+        for (index, (name, ..)) in model.medium.inputs.sources.iter().enumerate() {
+            let [on_gravity, on_drag] = model.medium.inputs.whitened(index);
             let moved = of_slot(Slot::Gravity) * on_gravity + of_slot(Slot::Inputs) * on_drag;
             inputs.push((name, moved * moved));
         }
@@ -194,7 +194,7 @@ fn gradient(
 
 /// Variance of the means of quantities of each draw between laws, and between numbers of missed impacts.
 fn between(posterior: &SampledPosterior, quantities: [&[f64]; 2]) -> [[f64; 2]; 2] {
-    let law = |it: &Candidate| it.law as usize * posterior.media.len() + it.media;
+    let law = |it: &Candidate| it.law as usize * posterior.media.len() + it.medium;
     let missed = |it: &Candidate| it.missed_first * posterior.numberings.len() + it.numbering;
     let variance = |key: &dyn Fn(&Candidate) -> usize, values: &[f64]| {
         let of_draw = posterior.draws.iter().zip(values);

@@ -25,10 +25,10 @@ use crate::train::LN_MISSED;
 #[derive(Debug, Clone)]
 pub(super) struct Candidate {
     pub(super) law: LawKind,
-    /// Which of the media.
-    pub(super) media: usize,
+    /// Index of its medium, which has a drag law.
+    pub(super) medium: usize,
     pub(super) missed_first: usize,
-    /// Which of the numberings.
+    /// Index of its numbering.
     pub(super) numbering: usize,
     pub(super) fit: Fit,
     /// From where the coordinate of the restitution counts, if it is sampled in units of the noise.
@@ -52,7 +52,7 @@ pub(super) struct SampledPosterior {
     /// The impacts, numbered as stated and otherwise.
     pub(super) numberings: Vec<Numbering>,
     pub(super) media: Vec<Medium>,
-    pub(super) middle: ReferenceSpeed,
+    pub(super) reference: ReferenceSpeed,
     pub(super) priors: Priors,
     pub(super) ball: Ball,
     /// As stated, with the drag law of the first of the media.
@@ -110,10 +110,10 @@ impl SampledPosterior {
             &observed,
             priors,
         )?];
-        let middle = ReferenceSpeed::new(&observed, &media[0])?;
+        let reference = ReferenceSpeed::new(&observed, &media[0])?;
         if priors.constant_drag_too && follows_reynolds(environment) {
             // Drag shows most at the fastest impact.
-            let reynolds = environment.air.reynolds(ball, middle.speeds.fastest_m_s);
+            let reynolds = environment.air.reynolds(ball, reference.speeds.fastest_m_s);
             let coefficient = environment.drag.coefficient(reynolds)?;
             let rounded = (coefficient * DRAG_COEFFICIENT_STEPS).round() / DRAG_COEFFICIENT_STEPS;
             let law = DragLaw::Constant(rounded);
@@ -130,14 +130,14 @@ impl SampledPosterior {
         let numberings = numberings.map(|observed| Numbering {
             flights: media
                 .iter()
-                .map(|media| TimedFlights::new(&observed, media))
+                .map(|medium| TimedFlights::new(&observed, medium))
                 .collect(),
             observed,
         });
         let mut posterior = Self {
             numberings: numberings.collect(),
             media,
-            middle,
+            reference,
             priors: priors.clone(),
             ball: *ball,
             environment: *environment,
@@ -168,13 +168,13 @@ impl SampledPosterior {
     pub(super) fn model(&self, candidate: &Candidate) -> Model<'_> {
         let Candidate {
             law,
-            media,
+            medium,
             missed_first,
             numbering,
             expected_restitution,
             ..
         } = *candidate;
-        self.model_of(law, media, missed_first, numbering)
+        self.model_of(law, medium, missed_first, numbering)
             .with_expected_restitution(expected_restitution)
     }
 
@@ -187,16 +187,16 @@ impl SampledPosterior {
     pub(super) fn model_of(
         &self,
         law: LawKind,
-        media: usize,
+        medium: usize,
         missed_first: usize,
         numbering: usize,
     ) -> Model<'_> {
         let Numbering { observed, flights } = &self.numberings[numbering];
         Model::new(
             observed,
-            &flights[media],
-            &self.media[media],
-            &self.middle,
+            &flights[medium],
+            &self.media[medium],
+            &self.reference,
             law,
             missed_first,
             &self.priors,
@@ -249,32 +249,32 @@ impl SampledPosterior {
     fn fitted(&self) -> Vec<Candidate> {
         let mut candidates = Vec::new();
         for law in self.laws() {
-            for media in 0..self.media.len() {
+            for medium in 0..self.media.len() {
                 for numbering in 0..self.numberings.len() {
-                    self.fit_missed(law, media, numbering, &mut candidates);
+                    self.fit_missed(law, medium, numbering, &mut candidates);
                 }
             }
         }
         candidates
     }
 
-    /// Fits a model with 0, 1, 2, ... impacts before the first one heard, until more do not help.
+    /// Fits a model with 0, 1, 2, ... impacts before the first one detected, until more do not help.
     fn fit_missed(
         &self,
         law: LawKind,
-        media: usize,
+        medium: usize,
         numbering: usize,
         candidates: &mut Vec<Candidate>,
     ) {
-        let most = if self.priors.tells_missed() {
+        let most = if self.priors.determine_missed() {
             most_missed(law, numbering, candidates)
         } else {
             0
         };
         let mut best = f64::NEG_INFINITY;
         for missed_first in 0..=most {
-            let model = self.model_of(law, media, missed_first, numbering);
-            let start = self.fitted_like(&model, media, numbering, candidates);
+            let model = self.model_of(law, medium, missed_first, numbering);
+            let start = self.fitted_like(&model, medium, numbering, candidates);
             let least = highest_posterior(candidates, numbering) - 2.0 * PRUNE_BELOW;
             let fit = start.and_then(|start| fit::best_fit(&model, start, least));
             let Some(fit) = fit.or_else(|| fit::best_fit(&model, model.start(), least)) else {
@@ -282,7 +282,7 @@ impl SampledPosterior {
             };
             let mut candidate = Candidate {
                 law,
-                media,
+                medium,
                 missed_first,
                 numbering,
                 log_evidence: fit.log_laplace_evidence(),
@@ -309,21 +309,21 @@ impl SampledPosterior {
     fn fitted_like(
         &self,
         model: &Model,
-        media: usize,
+        medium: usize,
         numbering: usize,
         candidates: &[Candidate],
     ) -> Option<Vec<f64>> {
         let fits = || candidates.iter().filter(|it| it.numbering == numbering);
-        let fit = |law: LawKind, media: usize, missed: usize| {
-            fits().find(|it| (it.law, it.media, it.missed_first) == (law, media, missed))
+        let fit = |law: LawKind, medium: usize, missed: usize| {
+            fits().find(|it| (it.law, it.medium, it.missed_first) == (law, medium, missed))
         };
         let from = |it: &Candidate| self.start_from(model, it);
         let first = fits().next()?.law;
-        let first_here = fit(first, media, model.missed_first).map(from);
+        let first_here = fit(first, medium, model.missed_first).map(from);
         // As far from the first law here as another fit of this law from that of the first law beside it.
         let moved = |other: &Candidate| {
             let start = first_here.clone()?.into_iter();
-            let first_there = from(fit(first, other.media, other.missed_first)?);
+            let first_there = from(fit(first, other.medium, other.missed_first)?);
             let by = from(other).into_iter().zip(first_there);
             Some(
                 start
@@ -405,7 +405,7 @@ pub(super) fn best_evidence<'a>(candidates: impl IntoIterator<Item = &'a Candida
     evidences.fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// How many missed impacts before the first one heard are to be considered: those that may explain the times under another
+/// How many missed impacts before the first one detected are to be considered: those that may explain the times under another
 /// drag law, if one has been fitted.
 fn most_missed(law: LawKind, numbering: usize, candidates: &[Candidate]) -> usize {
     let alike = |candidate: &&Candidate| candidate.law == law && candidate.numbering == numbering;

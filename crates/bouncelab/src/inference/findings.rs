@@ -148,7 +148,7 @@ fn contradiction(
     if off.max(first) < CONTRADICTION_SDS {
         return None;
     }
-    let detected_m = detected_height_m(posterior, candidate.law, candidate.media)?;
+    let detected_m = detected_height_m(posterior, candidate.law, candidate.medium)?;
     // A height from a flight time goes as gravity.
     let gravity_m_s2 = posterior.environment.gravity_m_s2 * measured.value / detected_m;
     Some(
@@ -160,7 +160,7 @@ fn contradiction(
 }
 
 /// The height of the fall before the first impact detected, from the times alone.
-fn detected_height_m(posterior: &SampledPosterior, law: LawKind, media: usize) -> Option<f64> {
+fn detected_height_m(posterior: &SampledPosterior, law: LawKind, medium: usize) -> Option<f64> {
     let without = SampledPosterior {
         priors: Priors {
             drop_height_m: None,
@@ -173,7 +173,7 @@ fn detected_height_m(posterior: &SampledPosterior, law: LawKind, media: usize) -
         draws: Pool::default(),
         ..*posterior
     };
-    let model = without.model_of(law, media, 0, 0);
+    let model = without.model_of(law, medium, 0, 0);
     let fit = fit::best_fit(&model, model.start(), f64::NEG_INFINITY)?;
     let point = model.point(fit.vector.as_slice())?;
     model.drop_height_m(&point)

@@ -26,26 +26,26 @@ impl Fit {
         self.log_posterior + 0.5 * scaled.determinant().ln()
     }
 
-    /// What the unknowns that impacts hardly tell make one expect of the restitution, and its place in the vector. They are
+    /// What the unknowns that impacts hardly tell make one expect of the restitution, and its index in the vector. They are
     /// as independent of each other as before the data.
     pub(super) fn expected_restitution(
         &self,
         model: &Model,
     ) -> Option<(usize, ExpectedRestitution)> {
-        let place = model.place(Slot::Restitution)?;
-        let by = ExpectedRestitution::BY.map(|slot| model.place(slot));
-        let slope = |by: usize| self.covariance[(place, by)] / self.covariance[(by, by)];
+        let index = model.index(Slot::Restitution)?;
+        let by = ExpectedRestitution::BY.map(|slot| model.index(slot));
+        let slope = |by: usize| self.covariance[(index, by)] / self.covariance[(by, by)];
         let moved = by.iter().flatten().map(|&by| slope(by) * self.vector[by]);
         let expected = ExpectedRestitution {
-            logit: self.vector[place] - moved.sum::<f64>(),
+            logit: self.vector[index] - moved.sum::<f64>(),
             slopes: by.map(|by| by.map_or(0.0, slope)),
         };
-        Some((place, expected))
+        Some((index, expected))
     }
 }
 
 /// A vector on the way to the best fit.
-struct Place {
+struct Iterate {
     vector: DVector<f64>,
     log_posterior: f64,
     slope: DVector<f64>,
@@ -53,7 +53,7 @@ struct Place {
     expected: Cholesky<f64, Dyn>,
 }
 
-impl Place {
+impl Iterate {
     /// `None` where the vector makes no sense.
     fn new(model: &Model, vector: DVector<f64>) -> Option<Self> {
         let Differences {
@@ -74,13 +74,13 @@ impl Place {
 
     /// The vector after the best part of a step; `None` if none of them leads uphill.
     fn uphill(&self, model: &Model, step: &DVector<f64>) -> Option<DVector<f64>> {
-        let tried = DMatrix::from_fn(step.len(), STEP_FRACTIONS.len(), |unknown, place| {
-            self.vector[unknown] + STEP_FRACTIONS[place] * step[unknown]
+        let tried = DMatrix::from_fn(step.len(), STEP_FRACTIONS.len(), |unknown, index| {
+            self.vector[unknown] + STEP_FRACTIONS[index] * step[unknown]
         });
         let found = model.log_posteriors(&tried).into_iter().enumerate();
-        let found = found.filter_map(|(place, log)| Some((place, log?)));
-        let (place, highest) = found.max_by(|(_, a), (_, b)| a.total_cmp(b))?;
-        (highest > self.log_posterior).then(|| tried.column(place).into_owned())
+        let found = found.filter_map(|(index, log)| Some((index, log?)));
+        let (index, highest) = found.max_by(|(_, a), (_, b)| a.total_cmp(b))?;
+        (highest > self.log_posterior).then(|| tried.column(index).into_owned())
     }
 }
 
@@ -91,7 +91,7 @@ impl Place {
 /// A search that would end below a least log posterior ends early, where it is. `None` if no vector near the start makes
 /// sense.
 pub(super) fn best_fit(model: &Model, start: Vec<f64>, least: f64) -> Option<Fit> {
-    let mut here = Place::new(model, DVector::from_vec(start))?;
+    let mut here = Iterate::new(model, DVector::from_vec(start))?;
     let mut secants = Secants::default();
     for _ in 0..MAX_FIT_STEPS {
         let expected = here.expected.solve(&here.slope);
@@ -108,8 +108,8 @@ pub(super) fn best_fit(model: &Model, start: Vec<f64>, least: f64) -> Option<Fit
             break;
         }
         let step = secants.corrected(&here.expected, &here.slope);
-        let whole = (promise < SMALL_GAIN).then(|| Place::new(model, &here.vector + &step));
-        let higher = |it: &Place| it.log_posterior > here.log_posterior;
+        let whole = (promise < SMALL_GAIN).then(|| Iterate::new(model, &here.vector + &step));
+        let higher = |it: &Iterate| it.log_posterior > here.log_posterior;
         let next = if let Some(next) = whole.flatten().filter(higher) {
             next
         } else {
@@ -117,7 +117,7 @@ pub(super) fn best_fit(model: &Model, start: Vec<f64>, least: f64) -> Option<Fit
             let Some(next) = steps.into_iter().find_map(|step| here.uphill(model, step)) else {
                 break;
             };
-            Place::new(model, next)?
+            Iterate::new(model, next)?
         };
         secants.add(&next.vector - &here.vector, &here.slope - &next.slope);
         here = next;
@@ -202,20 +202,20 @@ mod tests {
     fn a_restitution_in_units_of_the_noise_is_as_probable() {
         with_model(&impacts(), |model, _| {
             let fit = best_fit(model, model.start(), f64::NEG_INFINITY).unwrap();
-            let (place, expected) = fit.expected_restitution(model).unwrap();
+            let (index, expected) = fit.expected_restitution(model).unwrap();
             let counted = model.clone().with_expected_restitution(Some(expected));
             let shifted = fit.vector.map(|value| value + 0.3);
             let point = model.point(shifted.as_slice()).unwrap();
             let by = ExpectedRestitution::BY.into_iter().zip(expected.slopes);
-            let by = by.map(|(slot, slope)| slope * shifted[model.place(slot).unwrap()]);
+            let by = by.map(|(slot, slope)| slope * shifted[model.index(slot).unwrap()]);
             let middle = model.observed.intervals.len() / 2;
             let [unit] = model
                 .noise(middle, Lanes([point.scatter]), Lanes([point.timing]))
                 .0;
             let mut in_units = shifted.clone();
-            in_units[place] = (shifted[place] - expected.logit - by.sum::<f64>()) / unit;
+            in_units[index] = (shifted[index] - expected.logit - by.sum::<f64>()) / unit;
             let same = counted.point(in_units.as_slice()).unwrap();
-            let e = |point: &Point| point.law.at(model.middle.speeds.reference_m_s);
+            let e = |point: &Point| point.law.at(model.reference.speeds.reference_m_s);
             assert!((e(&same) / e(&point) - 1.0).abs() < 1e-12);
             assert!((same.fall_launch_m_s / point.fall_launch_m_s - 1.0).abs() < 1e-12);
             let log = |model: &Model, vector: &DVector<f64>| {
@@ -238,23 +238,23 @@ mod tests {
             };
             let of_law = |law: LawKind| {
                 let (observed, flights) = (linear.observed, linear.timed_flights);
-                let (media, middle) = (linear.media, linear.middle);
-                Model::new(observed, flights, media, middle, law, 1, &priors)
+                let (medium, reference) = (linear.medium, linear.reference);
+                Model::new(observed, flights, medium, reference, law, 1, &priors)
             };
             let [power, constant] = [LawKind::Power, LawKind::Constant].map(of_law);
-            let at_middle = |model: &Model, vector: &[f64]| {
+            let at_reference = |model: &Model, vector: &[f64]| {
                 let law = model.point(vector).unwrap().law;
-                law.at_with_log_slope(model.middle.speeds.reference_m_s)
+                law.at_with_log_slope(model.reference.speeds.reference_m_s)
             };
-            let (e, log_slope) = at_middle(linear, vector);
+            let (e, log_slope) = at_reference(linear, vector);
             assert!(log_slope < -0.01);
             let as_power = power.start_from(linear, vector);
             let back = linear.start_from(&power, &as_power);
-            for found in [at_middle(&power, &as_power), at_middle(linear, &back)] {
+            for found in [at_reference(&power, &as_power), at_reference(linear, &back)] {
                 assert!((found.0 - e).abs() < 1e-12 && (found.1 - log_slope).abs() < 1e-12);
             }
             let as_constant = constant.start_from(linear, vector);
-            let (same, flat) = at_middle(&constant, &as_constant);
+            let (same, flat) = at_reference(&constant, &as_constant);
             assert!((same - e).abs() < 1e-12 && flat == 0.0);
         });
     }

@@ -74,7 +74,7 @@ pub(super) fn prior_contraction(posterior: &SampledPosterior) -> Vec<PriorContra
                     if unknown == Unknown::Slope && !model.law.has_slope() {
                         return None;
                     }
-                    Some(draw.vector[model.place(slot)?])
+                    Some(draw.vector[model.index(slot)?])
                 })
                 .collect();
             // Too few draws have it: it says nothing of the average.

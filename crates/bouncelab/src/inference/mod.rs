@@ -177,7 +177,7 @@ pub fn infer(
     )?;
     let at_speed_m_s = inference
         .at_speed_m_s
-        .unwrap_or(posterior.middle.speeds.reference_m_s);
+        .unwrap_or(posterior.reference.speeds.reference_m_s);
     Answers::new(&posterior, at_speed_m_s)
         .and_then(|answers| answers.inference(posterior, inference))
         .ok_or(Error::CannotInfer(InferenceFailure::SamplingFailed))

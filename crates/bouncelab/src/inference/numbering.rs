@@ -1,4 +1,4 @@
-//! How many flights lie between two impacts that were heard?
+//! How many flights lie between two impacts that were detected?
 //!
 //! Where impacts are missing, the numbers of the others are a guess, and a wrong one is not seen in the
 //! uncertainty: after a long flight an impact may have been missed or the surface may be dull. So every
@@ -23,22 +23,26 @@ struct Numbering {
 pub(super) fn plausible(observed: &Observed) -> Vec<Observed> {
     let durations_s: Vec<f64> = observed.intervals.iter().map(|i| i.duration_s).collect();
     let stated: Vec<usize> = observed.intervals.iter().map(|i| i.flights).collect();
-    let mut ways: Vec<Numbering> = Vec::new();
+    let mut hypotheses: Vec<Numbering> = Vec::new();
     for first in 1..=MAX_FIRST_FLIGHTS {
         for step in 0..START_RATIOS {
             // From a dead ball, 0.4, to a perfect one, evenly in the logarithm.
             let ratio = MIN_START_RATIO.powf((step as f64 + 0.5) / START_RATIOS as f64);
-            ways.push(follow(&durations_s, first, ratio));
+            hypotheses.push(follow(&durations_s, first, ratio));
         }
     }
-    sort_by_number(&mut ways, |way| way.cost);
-    let least = ways[0].cost;
-    ways.retain(|way| way.cost < least + MAX_EXCESS_COST);
-    let nearby = neighbours(&ways[0]);
+    sort_by_number(&mut hypotheses, |hypothesis| hypothesis.cost);
+    let least = hypotheses[0].cost;
+    hypotheses.retain(|hypothesis| hypothesis.cost < least + MAX_EXCESS_COST);
+    let nearby = neighbours(&hypotheses[0]);
     let mut kept = vec![stated];
-    for way in ways.into_iter().map(|way| way.flights).chain(nearby) {
-        if kept.len() <= MAX_OTHER_NUMBERINGS && !kept.contains(&way) {
-            kept.push(way);
+    for hypothesis in hypotheses
+        .into_iter()
+        .map(|hypothesis| hypothesis.flights)
+        .chain(nearby)
+    {
+        if kept.len() <= MAX_OTHER_NUMBERINGS && !kept.contains(&hypothesis) {
+            kept.push(hypothesis);
         }
     }
     kept.into_iter()
@@ -114,9 +118,9 @@ mod tests {
     use crate::impact::Impact;
 
     /// Impacts of a ball that keeps a share of its flight, of which some were missed.
-    fn numberings(ratio: f64, heard: &[i32]) -> Vec<Vec<usize>> {
+    fn numberings(ratio: f64, detected: &[i32]) -> Vec<Vec<usize>> {
         let impacts: Vec<Impact> = (1..)
-            .zip(heard)
+            .zip(detected)
             .map(|(number, &place)| {
                 Impact::new(number, 0.5 * (1.0 - ratio.powi(place)) / (1.0 - ratio))
             })
@@ -141,7 +145,7 @@ mod tests {
 
     #[test]
     fn where_none_is_missing_there_is_one_numbering() {
-        let heard: Vec<i32> = (0..20).collect();
-        assert_eq!(numberings(0.9, &heard), [[1; 19]]);
+        let detected: Vec<i32> = (0..20).collect();
+        assert_eq!(numberings(0.9, &detected), [[1; 19]]);
     }
 }

@@ -65,7 +65,7 @@ impl Observed {
         other
     }
 
-    /// How many impacts were missed between the first and the last one heard.
+    /// How many impacts were missed between the first and the last one detected.
     pub(super) fn missed(&self) -> usize {
         let missed = |interval: &Interval| interval.flights - 1;
         self.intervals.iter().map(missed).sum()

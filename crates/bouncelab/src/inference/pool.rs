@@ -40,12 +40,12 @@ impl Default for SamplerConfig {
 
 impl SamplerConfig {
     /// Random numbers of a candidate alone, so that none depends on what others took nor on its rank, which a
-    /// last digit can change. Its stream follows from the name of its law, not from the place of the law in the list. The
+    /// last digit can change. Its stream follows from the name of its law, not from the index of the law in the list. The
     /// first stream of the seed is left for their pool.
     fn rng_of(&self, candidate: &Candidate) -> ChaCha8Rng {
         let choices = [
             candidate.law.random_stream(),
-            candidate.media as u64,
+            candidate.medium as u64,
             candidate.missed_first as u64,
             candidate.numbering as u64,
         ];
@@ -142,11 +142,11 @@ impl SampledPosterior {
         if observed.restitutions() < 2 || observed.intervals.len() >= MANY_FLIGHTS {
             return;
         }
-        let Some((place, expected)) = candidate.fit.expected_restitution(&model) else {
+        let Some((index, expected)) = candidate.fit.expected_restitution(&model) else {
             return;
         };
         let mut start = candidate.fit.vector.as_slice().to_vec();
-        start[place] = 0.0;
+        start[index] = 0.0;
         let model = model.with_expected_restitution(Some(expected));
         if let Some(fit) = fit::best_fit(&model, start, f64::NEG_INFINITY) {
             candidate.fit = fit;

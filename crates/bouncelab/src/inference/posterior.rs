@@ -182,7 +182,7 @@ pub struct BandPoint {
 
 impl ImpactPosterior {
     /// Whether it is so odd that it counts little in the fit.
-    pub fn is_odd(&self) -> bool {
+    pub fn is_outlier(&self) -> bool {
         self.weight < OUTLIER_WEIGHT
     }
 }
@@ -250,17 +250,14 @@ impl Posterior {
     /// The restitution law over the impact speeds: what [`Self::band`] holds.
     pub(super) fn compute_band(&self) -> Vec<BandPoint> {
         let points = BAND_POINTS;
-        let middle = &self.sampled.middle;
-        let fastest = middle.speeds.fastest_m_s.max(self.fitted_speeds_m_s[1]);
-        let (from, to) = (
-            BAND_ENDS[0] * middle.speeds.slowest_m_s,
-            BAND_ENDS[1] * fastest,
-        );
-        let speeds: Vec<f64> = (0..points)
+        let speeds = &self.sampled.reference.speeds;
+        let fastest = speeds.fastest_m_s.max(self.fitted_speeds_m_s[1]);
+        let (from, to) = (BAND_ENDS[0] * speeds.slowest_m_s, BAND_ENDS[1] * fastest);
+        let speeds_m_s: Vec<f64> = (0..points)
             .map(|point| from + (to - from) * point as f64 / (points.max(2) - 1) as f64)
             .collect();
-        let summaries = self.restitution_at_each(&speeds);
-        std::iter::zip(speeds, summaries)
+        let summaries = self.restitution_at_each(&speeds_m_s);
+        std::iter::zip(speeds_m_s, summaries)
             .filter_map(|(speed_m_s, restitution)| {
                 Some(BandPoint {
                     speed_m_s,

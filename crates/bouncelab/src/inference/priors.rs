@@ -164,7 +164,7 @@ impl Priors {
         if self.constant_drag_too {
             diagnostics.push(Diagnostic::new(Code::PriorConstantDrag));
         }
-        if self.tells_missed() {
+        if self.determine_missed() {
             diagnostics.push(Diagnostic::new(Code::PriorMissed));
         }
         diagnostics
@@ -186,7 +186,7 @@ impl Priors {
     }
 
     /// Whether something would show impacts missed before the first one detected.
-    pub(super) fn tells_missed(&self) -> bool {
+    pub(super) fn determine_missed(&self) -> bool {
         let state = self.drop_height_m.is_some() || self.release_s.is_some();
         state && !self.first_was_detected && self.gravity_rel_sd < UNKNOWN
     }

@@ -31,36 +31,36 @@ impl ReferenceSpeed {
     /// # Errors
     /// [`Error::CannotInfer`] if the ball gains speed in most impacts, or a flight is too long for
     /// a ball with so much drag.
-    pub(super) fn new(observed: &Observed, media: &Medium) -> Result<Self> {
-        let nominal = media.flights.at(1.0);
+    pub(super) fn new(observed: &Observed, medium: &Medium) -> Result<Self> {
+        let nominal = medium.flights.at(1.0);
         let rows = observed
             .intervals
             .iter()
             .map(|interval| {
-                let time_s = interval.duration_s / interval.flights as f64 - media.contact_time_s;
-                nominal?.lasting(media.gravity_m_s2 * time_s)
+                let time_s = interval.duration_s / interval.flights as f64 - medium.contact_time_s;
+                nominal?.lasting(medium.gravity_m_s2 * time_s)
             })
             .collect::<Option<Vec<Row>>>()
             .ok_or(Error::CannotInfer(InferenceFailure::FlightTooLong))?;
-        let single = |place: usize| observed.intervals[place].flights == 1;
-        let places = (1..rows.len()).filter(|&place| single(place) && single(place - 1));
-        let logs: Vec<(usize, f64)> = places
-            .map(|place| (place, (rows[place].launch / rows[place - 1].impact).ln()))
+        let single = |interval: usize| observed.intervals[interval].flights == 1;
+        let impacts = (1..rows.len()).filter(|&impact| single(impact) && single(impact - 1));
+        let logs: Vec<(usize, f64)> = impacts
+            .map(|impact| (impact, (rows[impact].launch / rows[impact - 1].impact).ln()))
             .collect();
-        let middle = median(logs.iter().map(|&(_, log)| log));
-        let off = |log: f64| log - middle.unwrap_or(0.0);
+        let log_restitution = median(logs.iter().map(|&(_, log)| log));
+        let off = |log: f64| log - log_restitution.unwrap_or(0.0);
         let scatter = robust_sd(logs.iter().map(|&(_, log)| off(log)));
-        let by_time = |place: usize| {
+        let by_time = |impact: usize| {
             let [before, after] =
-                [place - 1, place].map(|it| 1.0 / observed.intervals[it].duration_s);
+                [impact - 1, impact].map(|it| 1.0 / observed.intervals[it].duration_s);
             let slopes = [before, before + after, after].into_iter();
             let by = slopes
-                .zip(&observed.sigma_s[place - 1..])
+                .zip(&observed.sigma_s[impact - 1..])
                 .map(|(slope, sigma)| slope * sigma);
             by.map(|by| by * by).sum::<f64>().sqrt()
         };
-        let timing = robust_sd(logs.iter().map(|&(place, log)| off(log) / by_time(place)));
-        if middle.is_some_and(|log_e| log_e > MAX_LOG_RESTITUTION) {
+        let timing = robust_sd(logs.iter().map(|&(impact, log)| off(log) / by_time(impact)));
+        if log_restitution.is_some_and(|log_e| log_e > MAX_LOG_RESTITUTION) {
             return Err(Error::CannotInfer(InferenceFailure::GainsSpeed));
         }
         let speeds = rows.iter().map(|row| row.impact).chain([rows[0].launch]);
@@ -74,7 +74,7 @@ impl ReferenceSpeed {
                 // A knee needs a range even where all impacts are alike.
                 fastest_m_s: fastest_m_s.max(MIN_SPEED_RATIO * slowest_m_s),
             },
-            restitution: middle.map_or(START_RESTITUTION, f64::exp),
+            restitution: log_restitution.map_or(START_RESTITUTION, f64::exp),
             first_launch_m_s: rows[0].launch,
             scatter: scatter.map(|scatter| scatter.max(MIN_START_SCATTER)),
             timing,

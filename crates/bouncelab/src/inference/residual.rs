@@ -52,13 +52,13 @@ pub(super) struct Residual<const L: usize> {
     pub(super) own_variance: f64,
 }
 
-/// The fall from the drop height, and the impacts before the first one heard.
+/// The fall from the drop height, and the impacts before the first one detected.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct InitialFall {
     pub(super) gravity_height: f64,
     pub(super) height_slope: f64,
     pub(super) impact: f64,
-    /// Time from the release to the first impact heard.
+    /// Time from the release to the first impact detected.
     pub(super) time_s: f64,
     /// Scatter of missed impacts in ln(impact speed) and in the time.
     impact_scatter: f64,
@@ -226,7 +226,7 @@ impl InitialFall {
 }
 
 impl<const L: usize> Residual<L> {
-    /// How far the first impact heard is from where a measured release puts it, s.
+    /// How far the first impact detected is from where a measured release puts it, s.
     pub(super) fn of_release(
         first_impact_s: f64,
         release_s: Measured,
@@ -248,8 +248,8 @@ impl<const L: usize> Residual<L> {
     /// Its derivatives by times, 1/s, each with the number of the impact; there may be none of the last number.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(super) fn by_times(&self) -> impl Iterator<Item = (usize, Lanes<L>)> {
-        let places = (0..).zip(self.timing);
-        places.filter_map(|(place, by_s)| Some(((self.impact + place).checked_sub(1)?, by_s)))
+        let rows = (0..).zip(self.timing);
+        rows.filter_map(|(place, by_s)| Some(((self.impact + place).checked_sub(1)?, by_s)))
     }
 
     /// That of one point.
@@ -333,7 +333,7 @@ impl<'o, const L: usize> Noise<'o, L> {
     pub(super) fn shared_by_time(&self, earlier: &Residual<L>, later: &Residual<L>) -> Lanes<L> {
         let (a, b, own) = (earlier.timing, later.timing, later.impact);
         match own - earlier.impact {
-            // The release and the first impact heard have the same one in the middle.
+            // The release and the first impact detected have the same one in the middle.
             0 => a[1] * b[1] * self.of_time(own),
             1 => a[1] * b[0] * self.of_time(own - 1) + a[2] * b[1] * self.of_time(own),
             2 => a[2] * b[0] * self.of_time(own - 1),
@@ -352,8 +352,8 @@ impl<'o, const L: usize> Noise<'o, L> {
         let mut covariances = <[Banded<L>; 3]>::default();
         let [by_time, by_scatter, by_release] = &mut covariances;
         for (row, (residual, weight)) in residuals.iter().zip(weights).enumerate() {
-            let shared = |places: usize| {
-                let earlier = row.checked_sub(places).map(|place| &residuals[place]);
+            let shared = |rows: usize| {
+                let earlier = row.checked_sub(rows).map(|place| &residuals[place]);
                 earlier.map_or(zero, |earlier| self.shared_by_time(earlier, residual))
             };
             by_time.push([shared(2), shared(1), self.by_time(residual)]);

@@ -225,11 +225,11 @@ impl<'a, const L: usize> Smoother<'a, L> {
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn speeds(&self, Deviations { errors_s, off }: &Deviations<L>) -> Vec<[Lanes<L>; 2]> {
         let ends = self.evaluation.ends.iter().zip(off).enumerate();
-        ends.map(|(place, (end, off))| {
+        ends.map(|(index, (end, off))| {
             // How much longer the interval was than it seems; the fall has its time in place of the launch.
-            match place.checked_sub(1) {
+            match index.checked_sub(1) {
                 None => end.speeds_after(Lanes::all(0.0), *off),
-                Some(before) => end.speeds_after(errors_s[before] - errors_s[place], *off),
+                Some(before) => end.speeds_after(errors_s[before] - errors_s[index], *off),
             }
         })
         .collect()

@@ -30,10 +30,10 @@ pub(super) struct TimedFlights {
 pub(super) struct FlightsAtStrengths<'a, const L: usize>(Vec<(&'a [Curves], Lanes<L>)>);
 
 impl TimedFlights {
-    pub(super) fn new(observed: &Observed, media: &Medium) -> Self {
+    pub(super) fn new(observed: &Observed, medium: &Medium) -> Self {
         let per_nominal = observed.intervals.iter().map(|interval| {
             if interval.flights == 1 {
-                1.0 / (media.gravity_m_s2 * (interval.duration_s - media.contact_time_s))
+                1.0 / (medium.gravity_m_s2 * (interval.duration_s - medium.contact_time_s))
             } else {
                 0.0
             }

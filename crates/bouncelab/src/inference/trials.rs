@@ -19,7 +19,7 @@ pub(super) struct Trials<'a, const L: usize> {
     pub(super) flights: FlightsAtStrengths<'a, L>,
     pub(super) falls: [InitialFall; L],
     /// Whether the point makes sense; the lane of another does work that counts for nothing.
-    pub(super) sound: [bool; L],
+    pub(super) valid: [bool; L],
 }
 
 impl<'a> Model<'a> {
@@ -35,20 +35,20 @@ impl<'a> Model<'a> {
             #[inline(always)]
             || self.points_in_tables(vectors),
         );
-        let Some((points, _, sound)) = found else {
+        let Some((points, _, valid)) = found else {
             return [None; L];
         };
         array::from_fn(|lane| {
-            let sound = sound[lane] && points[lane].fall_launch_m_s.is_finite();
-            sound.then_some(points[lane])
+            let valid = valid[lane] && points[lane].fall_launch_m_s.is_finite();
+            valid.then_some(points[lane])
         })
     }
 
     /// Vectors with what they stand for; `None` if none of them makes sense.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(super) fn trials<const L: usize>(&self, vectors: &[&[f64]; L]) -> Option<Trials<'a, L>> {
-        let (points, tables, sound) = self.points_in_tables(vectors)?;
-        self.trials_of(points, tables, sound)
+        let (points, tables, valid) = self.points_in_tables(vectors)?;
+        self.trials_of(points, tables, valid)
     }
 
     /// The points that vectors stand for, their flights, and which of them make sense so far.
@@ -57,16 +57,16 @@ impl<'a> Model<'a> {
         &self,
         vectors: &[&[f64]; L],
     ) -> Option<([Point; L], [FlightTable<'a>; L], [bool; L])> {
-        let mut sound = [true; L];
-        let mut points = mended(self.values(vectors), &mut sound)?;
+        let mut valid = [true; L];
+        let mut points = filled(self.values(vectors), &mut valid)?;
         let tables = points.each_ref().map(|point| self.table(point));
-        let tables = mended(tables, &mut sound)?;
-        let place = self.place(Slot::Height)?;
-        let place = Lanes::of(|lane| vectors[lane][place]);
+        let tables = filled(tables, &mut valid)?;
+        let index = self.index(Slot::Height)?;
+        let coordinate = Lanes::of(|lane| vectors[lane][index]);
         let launches = match self.height() {
-            Height::Speed => place.exp(),
+            Height::Speed => coordinate.exp(),
             Height::Measured(Measured { value, sd }) => Lanes::of(|lane| {
-                let gravity_height = points[lane].gravity_m_s2 * (value + sd * place.0[lane]);
+                let gravity_height = points[lane].gravity_m_s2 * (value + sd * coordinate.0[lane]);
                 tables[lane].rising_to(gravity_height).unwrap_or(f64::NAN)
             }),
             Height::FromFirstFlight => {
@@ -75,21 +75,21 @@ impl<'a> Model<'a> {
                 for (point, unit) in points.iter_mut().zip(noise.ln().0) {
                     point.log_density += unit;
                 }
-                (self.suggested_ln_launch(&points, &tables) + noise * place).exp()
+                (self.suggested_ln_launch(&points, &tables) + noise * coordinate).exp()
             }
         };
         for (point, launch) in points.iter_mut().zip(launches.0) {
             point.fall_launch_m_s = launch;
         }
-        Some((points, tables, sound))
+        Some((points, tables, valid))
     }
 
     /// Points with what they stand for; `None` if none of them makes sense.
     pub(super) fn trials_at<const L: usize>(&self, points: &[Point; L]) -> Option<Trials<'a, L>> {
-        let mut sound = [true; L];
+        let mut valid = [true; L];
         let tables = points.each_ref().map(|point| self.table(point));
-        let tables = mended(tables, &mut sound)?;
-        self.trials_of(*points, tables, sound)
+        let tables = filled(tables, &mut valid)?;
+        self.trials_of(*points, tables, valid)
     }
 
     /// Points with what they stand for, under tables of their own.
@@ -98,16 +98,16 @@ impl<'a> Model<'a> {
         &self,
         points: [Point; L],
         tables: [FlightTable<'a>; L],
-        mut sound: [bool; L],
+        mut valid: [bool; L],
     ) -> Option<Trials<'a, L>> {
         let fall = |lane: usize| InitialFall::new(&tables[lane], &points[lane], self.missed_first);
-        let falls = mended(array::from_fn(fall), &mut sound)?;
+        let falls = filled(array::from_fn(fall), &mut valid)?;
         Some(Trials {
-            flights: self.timed_flights.at(&self.media.flights, &tables),
+            flights: self.timed_flights.at(&self.medium.flights, &tables),
             points,
             tables,
             falls,
-            sound,
+            valid,
         })
     }
 
@@ -149,17 +149,17 @@ impl<'a> Model<'a> {
 
     /// The flights under the drag of a point; `None` if it is absurd.
     pub(super) fn table(&self, point: &Point) -> Option<FlightTable<'a>> {
-        self.media.flights.at(point.drag_strength)
+        self.medium.flights.at(point.drag_strength)
     }
 }
 
-/// What was found in each lane; where nothing was, that of another, and the lane is not sound. `None` if nothing was found
+/// What was found in each lane; where nothing was, that of another, and the lane is not valid. `None` if nothing was found
 /// at all.
 #[inline(always)]
-fn mended<T: Copy, const L: usize>(found: [Option<T>; L], sound: &mut [bool; L]) -> Option<[T; L]> {
+fn filled<T: Copy, const L: usize>(found: [Option<T>; L], valid: &mut [bool; L]) -> Option<[T; L]> {
     let other = found.iter().flatten().next().copied()?;
-    for (sound, found) in sound.iter_mut().zip(&found) {
-        *sound &= found.is_some();
+    for (valid, found) in valid.iter_mut().zip(&found) {
+        *valid &= found.is_some();
     }
     Some(found.map(|found| found.unwrap_or(other)))
 }

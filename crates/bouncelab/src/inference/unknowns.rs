@@ -24,8 +24,8 @@ pub(super) struct Model<'a> {
     pub(super) timed_flights: &'a TimedFlights,
     pub(super) law: LawKind,
     pub(super) missed_first: usize,
-    pub(super) media: &'a Medium,
-    pub(super) middle: &'a ReferenceSpeed,
+    pub(super) medium: &'a Medium,
+    pub(super) reference: &'a ReferenceSpeed,
     pub(super) height_m: Option<Measured>,
     pub(super) release_s: Option<Measured>,
     pub(super) timing_sd: f64,
@@ -49,7 +49,7 @@ impl ExpectedRestitution {
     pub(super) const BY: [Slot; 4] = [Slot::Drag, Slot::Gravity, Slot::Inputs, Slot::Contact];
 }
 
-/// An unknown with a place in the vector.
+/// An unknown with a index in the vector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Slot {
     /// Standard normals before the data: ln of the drag scale ...
@@ -122,8 +122,8 @@ impl<'a> Model<'a> {
     pub(super) fn new(
         observed: &'a Observed,
         timed_flights: &'a TimedFlights,
-        media: &'a Medium,
-        middle: &'a ReferenceSpeed,
+        medium: &'a Medium,
+        reference: &'a ReferenceSpeed,
         law: LawKind,
         missed_first: usize,
         priors: &Priors,
@@ -133,10 +133,10 @@ impl<'a> Model<'a> {
         } else {
             UNSTATED_TIMING_SD
         };
-        let inputs = &media.inputs;
+        let inputs = &medium.inputs;
         let shapes = (0..law.shapes()).map(|number| (Slot::Shape(number), true));
         let before = [
-            (Slot::Drag, media.drag_sd > 0.0),
+            (Slot::Drag, medium.drag_sd > 0.0),
             (Slot::Gravity, inputs.gravity_sd > 0.0),
             (Slot::Inputs, inputs.drag_sd > 0.0),
             (Slot::Restitution, true),
@@ -145,7 +145,10 @@ impl<'a> Model<'a> {
             (Slot::Height, true),
             (Slot::Scatter, true),
             (Slot::Timing, timing_sd > 0.0),
-            (Slot::Contact, media.contact_time_s * media.contact_sd > 0.0),
+            (
+                Slot::Contact,
+                medium.contact_time_s * medium.contact_sd > 0.0,
+            ),
         ];
         let slots = before
             .into_iter()
@@ -158,8 +161,8 @@ impl<'a> Model<'a> {
             timed_flights,
             law,
             missed_first,
-            media,
-            middle,
+            medium,
+            reference,
             height_m: priors.drop_height_m,
             release_s: priors.release_s,
             timing_sd,
@@ -184,12 +187,12 @@ impl<'a> Model<'a> {
         &self.slots
     }
 
-    /// The place of an unknown in the vector.
-    pub(super) fn place(&self, slot: Slot) -> Option<usize> {
+    /// The index of an unknown in the vector.
+    pub(super) fn index(&self, slot: Slot) -> Option<usize> {
         self.slots.iter().position(|&s| s == slot)
     }
 
-    /// The places in the vector of the unknowns that are asked for; the others only blur them.
+    /// The indices in the vector of the unknowns that are asked for; the others only blur them.
     pub(super) fn answered(&self) -> Vec<usize> {
         let slots = self.slots.iter().enumerate();
         slots
@@ -199,7 +202,7 @@ impl<'a> Model<'a> {
                     Slot::Restitution | Slot::Shape(_) | Slot::Height | Slot::Drag
                 )
             })
-            .map(|(place, _)| place)
+            .map(|(index, _)| index)
             .collect()
     }
 
@@ -219,7 +222,7 @@ impl<'a> Model<'a> {
             Slot::Restitution => {
                 let (scatter, timing) = (Lanes([point.scatter]), Lanes([point.timing]));
                 let [unit] = self.restitution_unit(scatter, timing).0;
-                let e = point.law.at(self.middle.speeds.reference_m_s);
+                let e = point.law.at(self.reference.speeds.reference_m_s);
                 2.0 * e * (1.0 - e) * unit * unit
             }
             Slot::Height if self.height_m.is_none() => 0.0,
@@ -231,16 +234,16 @@ impl<'a> Model<'a> {
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(super) fn values<const L: usize>(&self, vectors: &[&[f64]; L]) -> [Option<Point>; L] {
         let mut values = [Lanes::<L>::all(0.0); 8 + MAX_SHAPES];
-        for (place, slot) in self.slots.iter().enumerate() {
-            values[index(*slot)] = Lanes::of(|lane| vectors[lane][place]);
+        for (index, slot) in self.slots.iter().enumerate() {
+            values[slot.position()] = Lanes::of(|lane| vectors[lane][index]);
         }
-        let at = |slot: Slot| values[index(slot)];
-        let (media, inputs) = (self.media, &self.media.inputs);
-        let drag_scale = (at(Slot::Drag) * media.drag_sd).exp();
+        let at = |slot: Slot| values[slot.position()];
+        let (medium, inputs) = (self.medium, &self.medium.inputs);
+        let drag_scale = (at(Slot::Drag) * medium.drag_sd).exp();
         let log_inputs =
             at(Slot::Gravity) * inputs.drag_on_gravity + at(Slot::Inputs) * inputs.drag_sd;
         let drag_strength = drag_scale * log_inputs.exp();
-        let gravity_m_s2 = (at(Slot::Gravity) * inputs.gravity_sd).exp() * media.gravity_m_s2;
+        let gravity_m_s2 = (at(Slot::Gravity) * inputs.gravity_sd).exp() * medium.gravity_m_s2;
         let scatter = scatter_prior::factors(at(Slot::Scatter)) * self.typical_scatter;
         let timing = (at(Slot::Timing) * self.timing_sd).exp();
         let unit = self.restitution_unit(scatter, timing);
@@ -255,8 +258,8 @@ impl<'a> Model<'a> {
         // Flat in e: de/d(logit) = e (1 - e).
         let off = -logit.abs();
         let log_density = off - (off.exp() + 1.0).ln() * 2.0 + unit.ln();
-        let contact_time_s = (at(Slot::Contact) * media.contact_sd).exp() * media.contact_time_s;
-        let (law, speeds) = (self.law, &self.middle.speeds);
+        let contact_time_s = (at(Slot::Contact) * medium.contact_sd).exp() * medium.contact_time_s;
+        let (law, speeds) = (self.law, &self.reference.speeds);
         std::array::from_fn(|lane| {
             let shapes = std::array::from_fn(|number| at(Slot::Shape(number)).0[lane]);
             Some(Point {
@@ -299,11 +302,11 @@ impl<'a> Model<'a> {
 
     /// Where a search may begin: what impacts differ by is scatter, or errors of the times, whichever is more probable.
     pub(super) fn start(&self) -> Vec<f64> {
-        let scatter = self.middle.scatter.map_or(0.0, |scatter| {
+        let scatter = self.reference.scatter.map_or(0.0, |scatter| {
             scatter_prior::normal(scatter / self.typical_scatter)
         });
         let timing = self
-            .middle
+            .reference
             .timing
             .map_or(0.0, |timing| timing.ln().max(0.0) / self.timing_sd);
         let starts = [(scatter, 0.0), (0.0, timing)];
@@ -316,8 +319,8 @@ impl<'a> Model<'a> {
 
     /// The most probable of some vectors, the first of equals. One that makes no sense is less probable than any.
     pub(super) fn most_probable(&self, vectors: Vec<Vec<f64>>) -> Vec<f64> {
-        let tried = DMatrix::from_fn(self.slots.len(), vectors.len(), |place, number| {
-            vectors[number][place]
+        let tried = DMatrix::from_fn(self.slots.len(), vectors.len(), |index, number| {
+            vectors[number][index]
         });
         let logs = self.log_posteriors(&tried).into_iter().zip(vectors);
         let best = logs.reduce(|best, other| if other.0 > best.0 { other } else { best });
@@ -327,11 +330,11 @@ impl<'a> Model<'a> {
     /// The same with these standard normals of the two.
     fn start_with(&self, scatter: f64, timing: f64) -> Vec<f64> {
         let e = self
-            .middle
+            .reference
             .restitution
             .clamp(START_RESTITUTIONS[0], START_RESTITUTIONS[1]);
         // One missed impact more means a fall 1/e faster.
-        let first = self.middle.first_launch_m_s / e.powf(self.missed_first as f64 + 1.0);
+        let first = self.reference.first_launch_m_s / e.powf(self.missed_first as f64 + 1.0);
         let height = match self.height() {
             Height::Measured(_) | Height::FromFirstFlight => 0.0,
             Height::Speed => first.ln(),
@@ -354,16 +357,16 @@ impl<'a> Model<'a> {
     pub(super) fn start_from(&self, fitted: &Self, fit: &[f64]) -> Vec<f64> {
         let same_law = self.law == fitted.law;
         let point = fitted.point(fit).filter(|_| !same_law);
-        let log_slope = point.map(|point| point.law.log_slope(self.middle.speeds.reference_m_s));
+        let log_slope = point.map(|point| point.law.log_slope(self.reference.speeds.reference_m_s));
         let many_flights = self.observed.intervals.len() >= MANY_FLIGHTS;
         let known = |slot: &Slot| match slot {
             Slot::Shape(0) if !same_law => {
                 self.law
-                    .normal_of_slope(log_slope?, &self.middle.speeds, many_flights)
+                    .normal_of_slope(log_slope?, &self.reference.speeds, many_flights)
             }
             Slot::Shape(_) if !same_law => None,
             Slot::Height if self.missed_first != fitted.missed_first => None,
-            _ => fitted.place(*slot).map(|place| fit[place]),
+            _ => fitted.index(*slot).map(|index| fit[index]),
         };
         let usual = self.slots.iter().zip(self.start_with(0.0, 0.0));
         usual
@@ -379,8 +382,8 @@ impl<'a> Model<'a> {
         height_slope: Lanes<L>,
     ) -> Lanes<L> {
         let mut sum = Lanes::all(0.0);
-        for (place, slot) in self.slots.iter().enumerate() {
-            let value = Lanes::of(|lane| vectors[lane][place]);
+        for (index, slot) in self.slots.iter().enumerate() {
+            let value = Lanes::of(|lane| vectors[lane][index]);
             let log = match slot {
                 // Its density depends on other unknowns too.
                 Slot::Restitution => Lanes::all(0.0),
@@ -394,16 +397,19 @@ impl<'a> Model<'a> {
     }
 }
 
-fn index(slot: Slot) -> usize {
-    match slot {
-        Slot::Restitution => 0,
-        Slot::Height => 1,
-        Slot::Drag => 2,
-        Slot::Scatter => 3,
-        Slot::Timing => 4,
-        Slot::Contact => 5,
-        Slot::Gravity => 6,
-        Slot::Inputs => 7,
-        Slot::Shape(number) => 8 + number,
+impl Slot {
+    /// Its position among all unknowns that a model may have.
+    fn position(self) -> usize {
+        match self {
+            Slot::Restitution => 0,
+            Slot::Height => 1,
+            Slot::Drag => 2,
+            Slot::Scatter => 3,
+            Slot::Timing => 4,
+            Slot::Contact => 5,
+            Slot::Gravity => 6,
+            Slot::Inputs => 7,
+            Slot::Shape(number) => 8 + number,
+        }
     }
 }

@@ -9,10 +9,10 @@
 //! and residuals of neighbours are correlated, because they share times, and share the scatter of
 //! missed impacts between them: their covariance has two bands beside the diagonal. Its Cholesky
 //! factors turn them, in O(N), into innovations: what each impact adds to what the ones before it
-//! foretold. The density of the *times* needs the Jacobian d ln v/dT too, since v depends on drag.
+//! predicted. The density of the *times* needs the Jacobian d ln v/dT too, since v depends on drag.
 //!
 //! The scatter of real impacts has heavier tails than a normal distribution (J.-Y. Montaine et al.,
-//! arXiv 1104.0049), so an innovation follows Student's t, and what an odd one seems to say of the
+//! arXiv 1104.0049), so an innovation follows Student's t, and what an excess one seems to say of the
 //! times of its neighbours is taken back.
 //!
 //! Every step waits for the one before, so several vectors are evaluated side by side, in [`Lanes`].
@@ -33,7 +33,7 @@ use crate::simd::{LANES, Lanes, dispatch, one_for_each_lane};
 /// An innovation: what one impact adds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Innovation {
-    /// The impact it belongs to, by its place among those detected; the first is the drop itself.
+    /// The impact it belongs to, by its index among those detected; the first is the drop itself.
     pub(super) impact: usize,
     /// In units of its standard deviation.
     pub(super) standardised: f64,
@@ -162,19 +162,19 @@ impl<'a> Model<'a> {
                 })
             },
         );
-        let sound = trials
-            .sound
+        let valid = trials
+            .valid
             .iter()
             .zip(logs.0)
-            .all(|(sound, log)| *sound && log.is_finite());
-        sound.then_some(evaluation)
+            .all(|(valid, log)| *valid && log.is_finite());
+        valid.then_some(evaluation)
     }
 
     /// Logarithm of prior times likelihood of each vector, with every step told.
     fn log_posteriors_in_lanes<const L: usize>(
         &self,
         vectors: &[&[f64]; L],
-        tell: &mut dyn FnMut(&Step<L>),
+        report: &mut dyn FnMut(&Step<L>),
     ) -> [Option<f64>; L] {
         dispatch(
             #[inline(always)]
@@ -184,11 +184,11 @@ impl<'a> Model<'a> {
                 };
                 let height_slope = Lanes::of(|lane| trials.falls[lane].height_slope);
                 let log_density = Lanes::of(|lane| trials.points[lane].log_density);
-                let log_likelihood = self.log_likelihood(&trials, &mut |step, _| tell(step));
+                let log_likelihood = self.log_likelihood(&trials, &mut |step, _| report(step));
                 let total = self.log_prior(vectors, height_slope) + log_density + log_likelihood;
                 std::array::from_fn(|lane| {
-                    let sound = trials.sound[lane] && total.0[lane].is_finite();
-                    sound.then_some(total.0[lane])
+                    let valid = trials.valid[lane] && total.0[lane].is_finite();
+                    valid.then_some(total.0[lane])
                 })
             },
         )
@@ -199,7 +199,7 @@ impl<'a> Model<'a> {
     fn log_likelihood<const L: usize>(
         &self,
         trials: &Trials<L>,
-        tell: &mut dyn FnMut(&Step<L>, &End<L>),
+        report: &mut dyn FnMut(&Step<L>, &End<L>),
     ) -> Lanes<L> {
         let observed = self.observed;
         let Trials { points, falls, .. } = trials;
@@ -209,13 +209,13 @@ impl<'a> Model<'a> {
         if let Some(release_s) = self.release_s {
             let first_s = observed.impacts[0].time_s;
             let residual = Residual::of_release(first_s, release_s, falls);
-            tell(&likelihood.add(&residual), &before);
+            report(&likelihood.add(&residual), &before);
         }
         let mut jacobian = Product::default();
         for interval in 0..observed.intervals.len() {
             let after = self.end(interval, trials);
             let residual = Residual::between(&before, &after, interval, &laws);
-            tell(&likelihood.add(&residual), &after);
+            report(&likelihood.add(&residual), &after);
             jacobian.multiply(after.launch_per_s);
             before = after;
         }
@@ -259,8 +259,8 @@ impl<'a> Model<'a> {
         let mut information = slopes.transpose() * weighted;
         // The noise: the logarithm of a standard deviation is known to 1/2^1/2 from one residual,
         // less from one with tails.
-        let tells = 2.0 * SCATTER_FREEDOM / (SCATTER_FREEDOM + 3.0);
-        let scatter = self.place(Slot::Scatter).map(|place| vector[place]);
+        let per_residual = 2.0 * SCATTER_FREEDOM / (SCATTER_FREEDOM + 3.0);
+        let scatter = self.index(Slot::Scatter).map(|index| vector[index]);
         let scatter_slope = scatter.map_or(0.0, scatter_prior::log_slope);
         let shares = |slot: Slot, factor: &Factor| match slot {
             Slot::Scatter => scatter_slope * factor.scatter_share,
@@ -270,7 +270,8 @@ impl<'a> Model<'a> {
         for (i, &a) in self.slots().iter().enumerate() {
             for (j, &b) in self.slots().iter().enumerate() {
                 let product = |factor: &Factor| shares(a, factor) * shares(b, factor);
-                information[(i, j)] += tells * details.factors.iter().map(product).sum::<f64>();
+                information[(i, j)] +=
+                    per_residual * details.factors.iter().map(product).sum::<f64>();
             }
             information[(i, i)] += self.prior_information(a, point);
         }
@@ -394,14 +395,14 @@ impl<'o, const L: usize> Likelihood<'o, L> {
         let scatter_share = by_scatter / diagonal;
         let factor = next_factor([second, first, diagonal], self.factors);
         let [second, first, variance] = factor;
-        let foretold = first * self.believed[0] + second * self.believed[1];
-        let innovation = residual.value - foretold;
+        let predicted = first * self.believed[0] + second * self.believed[1];
+        let innovation = residual.value - predicted;
         let square = innovation * innovation / variance;
         let tail = Tail::of(scatter_share);
         self.densities = self.densities + tail.log_density(square);
         self.widths.multiply(variance * tail.width());
-        let odd = square * (1.0 / (OUTLIER_SDS * OUTLIER_SDS));
-        self.believed = [innovation / (odd * odd + 1.0), self.believed[0]];
+        let excess = square * (1.0 / (OUTLIER_SDS * OUTLIER_SDS));
+        self.believed = [innovation / (excess * excess + 1.0), self.believed[0]];
         self.factors = [factor, self.factors[0]];
         self.before = [Some(*residual), self.before[0]];
         Step {

@@ -65,7 +65,7 @@ pub(in super::super) fn with_model<T>(
         &priors,
     );
     let mut vector = model.start();
-    vector[model.place(Slot::Shape(0)).unwrap()] = 0.6;
+    vector[model.index(Slot::Shape(0)).unwrap()] = 0.6;
     work(&model, &vector)
 }
 
