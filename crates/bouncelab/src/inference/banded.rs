@@ -1,4 +1,4 @@
-//! Symmetric matrices with two bands beside the diagonal, such as covariances of neighbours.
+//! Symmetric matrices with two bands on each side of the diagonal, such as covariances of neighbours.
 //!
 //! A long train has thousands of residuals: as dense matrices their covariances would take
 //! gigabytes, and minutes to invert.
@@ -12,13 +12,13 @@ use crate::simd::Lanes;
 /// A symmetric matrix that is zero more than two columns from the diagonal, in each lane.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Banded<const L: usize> {
-    /// Of each row the entries two, one and no columns before the diagonal.
+    /// Of each row the entries two columns and one column before the diagonal, and on it.
     rows: Vec<[Lanes<L>; 3]>,
 }
 
 impl<const L: usize> Banded<L> {
-    /// Adds a row: its entries two, one and no columns before the diagonal. Entries before the first
-    /// column count for nothing.
+    /// Adds a row: its entries two columns and one column before the diagonal, and on it. Entries before the first
+    /// column are ignored.
     #[inline(always)]
     pub(super) fn push(&mut self, row: [Lanes<L>; 3]) {
         self.rows.push(row);
@@ -42,7 +42,8 @@ impl<const L: usize> Banded<L> {
         }
     }
 
-    /// Turns a vector into M⁻¹ times it, by the factors L D L'; not a number in a lane where M is not positive definite.
+    /// Turns a vector into M⁻¹ times it: with M = L D L' forward substitution by L, then division by D and backward
+    /// substitution by L'. Not a number in a lane where M is not positive definite.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(super) fn solve(&self, right: &mut [Lanes<L>]) {
         let factors = self.factors();
@@ -62,11 +63,11 @@ impl<const L: usize> Banded<L> {
         }
     }
 
-    /// Of each row of the factors the entries of L two and one place before the diagonal, and that of D.
+    /// Of each row of the factors the entries of L two and one columns before the diagonal, and that of D.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn factors(&self) -> Vec<FactorRow<Lanes<L>>> {
         let [zero, one] = [0.0, 1.0].map(Lanes::all);
-        // Before the first row stands a matrix that is one.
+        // The matrix is continued upwards by the unit matrix.
         let mut before = [[zero, zero, one]; 2];
         let rows = self.rows.iter().enumerate();
         rows.map(|(i, &[second, first, diagonal])| {
@@ -121,7 +122,7 @@ pub(super) fn next_factor<T>(
 where
     T: Copy + Sub<Output = T> + Mul<Output = T> + Div<Output = T>,
 {
-    // As they stand in L D: a division later.
+    // The entries of L D first: row i of L D L' at column j is the sum over k <= j of (L D)_ik L_jk.
     let (second_d, first_d) = (second, first - second * one[1]);
     let (second, first) = (second_d / two[2], first_d / one[2]);
     [

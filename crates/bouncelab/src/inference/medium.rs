@@ -1,4 +1,4 @@
-//! Ball, air and gravity under one drag law, with what is uncertain about them.
+//! Ball, air and gravity under one drag law, with their uncertainties.
 
 use super::observed::Observed;
 use super::parameters::{TABLE_REACH, TABLE_STEPS};
@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::flight::table::{DragProfile, FlightTables};
 use crate::flight::{Environment, FlightModel};
 
-/// Ball, air and gravity under one drag law, with what is not known of them.
+/// Ball, air and gravity under one drag law, with their uncertainties.
 #[derive(Debug, Clone)]
 pub(super) struct Medium {
     pub(super) drag_law: DragLaw,
@@ -23,8 +23,8 @@ pub(super) struct Medium {
     pub(super) inputs: Inputs,
 }
 
-/// The inputs act on a flight in two ways only: on the effective gravity and on drag over weight.
-/// Their joint prior is normal in the logarithms, and this is its triangular root.
+/// The inputs affect a flight only through the effective gravity and drag over weight. Their joint prior is normal in the
+/// logarithms; this is its triangular root: ln g = gravity_sd z1, ln drag = drag_on_gravity z1 + drag_sd z2.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Inputs {
     /// One row for each input: name, d ln g, d ln(drag), each for one standard uncertainty.
@@ -127,7 +127,7 @@ impl Inputs {
         }
     }
 
-    /// How much of a change of the effective gravity one expects to be gravity itself.
+    /// Expected share of gravity itself in a change of ln(effective gravity): its share of the prior variance.
     pub(super) fn gravity_share(&self) -> f64 {
         let own = self.sources.iter().find(|(name, ..)| *name == "gravity");
         match own {
@@ -136,7 +136,7 @@ impl Inputs {
         }
     }
 
-    /// What one standard uncertainty of an input moves the two standard normals by.
+    /// Change of the two standard normals by one standard uncertainty of an input.
     pub(super) fn whitened(&self, source: usize) -> [f64; 2] {
         let (_, gravity, drag) = self.sources[source];
         let divide = |a: f64, b: f64| if b > 0.0 { a / b } else { 0.0 };

@@ -1,7 +1,7 @@
 //! How many flights lie between two impacts that were detected?
 //!
-//! Where impacts are missing, the numbers of the others are a guess, and a wrong one is not seen in the
-//! uncertainty: after a long flight an impact may have been missed or the surface may be dull. So every
+//! Where impacts are missing, the numbers of the others are a guess, and the uncertainty does not contain a
+//! wrong one: after a long flight an impact may have been missed or the surface may be dull. So every
 //! numbering that may explain the intervals is a model of its own, weighed like the others.
 
 use super::observed::Observed;
@@ -12,14 +12,14 @@ use super::parameters::{
 use crate::stats::sort_by_number;
 use crate::train::LN_MISSED;
 
-/// Numbers of flights in the intervals, and the logarithm of how unlikely they are.
+/// Numbers of flights in the intervals, and their cost: minus the logarithm of prior times likelihood.
 #[derive(Debug, Clone, PartialEq)]
 struct Numbering {
     flights: Vec<usize>,
     cost: f64,
 }
 
-/// The numberings that may explain the intervals, that stated first.
+/// The numberings that may explain the intervals, the given one first.
 pub(super) fn plausible(observed: &Observed) -> Vec<Observed> {
     let durations_s: Vec<f64> = observed.intervals.iter().map(|i| i.duration_s).collect();
     let stated: Vec<usize> = observed.intervals.iter().map(|i| i.flights).collect();
@@ -50,11 +50,11 @@ pub(super) fn plausible(observed: &Observed) -> Vec<Observed> {
         .collect()
 }
 
-/// Numbers the intervals one after the other, each as the flights before foretell it best.
+/// Numbers the intervals one after the other, each by the number of flights that fits best to the flights before.
 fn follow(durations_s: &[f64], first: usize, ratio: f64) -> Numbering {
     let (mut flights, mut ratio) = (vec![first], ratio);
     let mut cost = missed_cost(first);
-    // Counted from the last flight each is longer.
+    // An interval of n flights, the last of which lasts t, lasts t (1 + 1/r + 1/r² + ...).
     let last_of =
         |duration_s: f64, flights: usize, ratio: f64| duration_s / series(flights, ratio.recip());
     let mut last_s = last_of(durations_s[0], first, ratio);
@@ -67,7 +67,7 @@ fn follow(durations_s: &[f64], first: usize, ratio: f64) -> Numbering {
         };
         let mut best = priced(1);
         for count in 2..=MAX_MISSED + 1 {
-            // More missed impacts are less likely still, whatever they explain.
+            // The prior of more missed impacts is lower still.
             if missed_cost(count) >= best.2 {
                 break;
             }
@@ -87,19 +87,19 @@ fn follow(durations_s: &[f64], first: usize, ratio: f64) -> Numbering {
     Numbering { flights, cost }
 }
 
-/// The same with one impact more or less in each interval of several flights.
+/// Numberings with one impact more or less in one of the intervals of several flights.
 fn neighbours(numbering: &Numbering) -> Vec<Vec<usize>> {
-    let mut found = Vec::new();
-    for (place, &count) in numbering.flights.iter().enumerate() {
+    let mut neighbours = Vec::new();
+    for (interval, &count) in numbering.flights.iter().enumerate() {
         for other in [count - 1, count + 1] {
             if count > 1 && other <= MAX_MISSED + 1 {
                 let mut flights = numbering.flights.clone();
-                flights[place] = other;
-                found.push(flights);
+                flights[interval] = other;
+                neighbours.push(flights);
             }
         }
     }
-    found
+    neighbours
 }
 
 /// Minus the logarithm of the prior probability of the missed impacts in so many flights.
@@ -107,7 +107,7 @@ fn missed_cost(flights: usize) -> f64 {
     -LN_MISSED * (flights - 1) as f64
 }
 
-/// 1 + r + r² + ..., so many terms.
+/// 1 + r + r² + ..., this number of terms.
 fn series(terms: usize, ratio: f64) -> f64 {
     (0..terms).fold(0.0, |sum, _| sum * ratio + 1.0)
 }

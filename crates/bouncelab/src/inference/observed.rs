@@ -22,7 +22,7 @@ pub(super) struct Observed {
     pub(super) intervals: Vec<Interval>,
     /// Standard errors of the times, s.
     pub(super) sigma_s: Vec<f64>,
-    /// Whether somebody stated the standard errors.
+    /// Whether the standard errors were given.
     pub(super) sigma_stated: bool,
 }
 
@@ -65,13 +65,13 @@ impl Observed {
         other
     }
 
-    /// How many impacts were missed between the first and the last one detected.
+    /// Number of impacts missed between the first and the last one detected.
     pub(super) fn missed(&self) -> usize {
         let missed = |interval: &Interval| interval.flights - 1;
         self.intervals.iter().map(missed).sum()
     }
 
-    /// Ratio of the second flight to the first, a rough idea of the restitution; 0 if there is only
+    /// Ratio of the second flight to the first, a rough estimate of the restitution; 0 if there is only
     /// one.
     pub(super) fn first_ratio(&self) -> f64 {
         let flight_s = |interval: &Interval| interval.duration_s / interval.flights as f64;
@@ -81,7 +81,7 @@ impl Observed {
         }
     }
 
-    /// How many impacts lie between two single flights, and so show their restitution.
+    /// Number of impacts between two single flights, which show their restitution.
     pub(super) fn restitutions(&self) -> usize {
         let pairs = self.intervals.windows(2);
         pairs
@@ -89,7 +89,7 @@ impl Observed {
             .count()
     }
 
-    /// The longest time of a single flight that there may be, s.
+    /// Upper limit of the time of a single flight, s.
     pub(super) fn longest_flight_s(&self) -> f64 {
         let longest = |interval: &Interval| interval.duration_s;
         self.intervals.iter().map(longest).fold(0.0, f64::max)
@@ -112,12 +112,12 @@ fn interval(from: &Impact, to: &Impact, contact_time_s: f64) -> Result<Interval>
     })
 }
 
-/// Times of a list are as fine as their last digit, and no finer than a person reads them off.
+/// Standard error of times without one: that of rounding if they are rounded, else that of reading them off.
 fn read_off_s(impacts: &[Impact]) -> f64 {
     let on_grid = |step: f64| {
         impacts.iter().all(|impact| {
-            let place = impact.time_s / step;
-            (place - place.round()).abs() < ROUNDING_TOLERANCE * place.abs().max(1.0)
+            let steps = impact.time_s / step;
+            (steps - steps.round()).abs() < ROUNDING_TOLERANCE * steps.abs().max(1.0)
         })
     };
     // A rectangle of one step has a standard deviation of 1/12^1/2.

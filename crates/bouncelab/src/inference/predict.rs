@@ -16,11 +16,11 @@ use crate::flight::table::BlendedTable;
 use crate::restitution::Restitutions;
 use crate::simd::{LANES, Lanes, dispatch};
 
-/// One way in which the impacts after the last one detected may go, of which the times say nothing.
+/// One possibility for the impacts after the last one detected, about which the times contain no information.
 pub(super) struct Future {
-    /// The ratio of speed lost to speed kept grows as the speed to minus this power, besides what the law says.
+    /// The ratio of speed lost to speed kept grows as the speed to minus this power, besides the change by the law.
     loss_exponent: f64,
-    /// Whether the law goes on until rest, whatever it loses.
+    /// Whether the law holds until rest, whatever its losses.
     law_goes_on: bool,
     pub(super) rng: Xoshiro256PlusPlus,
 }
@@ -44,9 +44,9 @@ pub(super) struct Rest {
     pub(super) path_m: f64,
 }
 
-/// A drop after its last impact detected, on the way to rest.
+/// A drop after its last impact detected, before it comes to rest.
 struct Bouncing<'a> {
-    /// Its place among the others.
+    /// Its index among the drops.
     number: usize,
     point: Point,
     table: BlendedTable<'a>,
@@ -61,10 +61,10 @@ struct Bouncing<'a> {
     rest: Rest,
 }
 
-/// The drops to their end: as detected, and after the last impact as their futures have it. `None` for one that does not
-/// come to rest.
+/// Time and path until rest of each drop: as detected, and after the last impact by its future. `None` for one that does
+/// not come to rest.
 ///
-/// As many go on side by side as there are lanes; where one has come to rest, the next begins.
+/// One drop is followed in each lane; when it has come to rest, the lane takes the next.
 pub(super) fn until_rest<'s>(
     model: &Model,
     drops: impl IntoIterator<Item = (Point, &'s DropState, Future)>,
@@ -82,9 +82,9 @@ pub(super) fn until_rest<'s>(
         let Some([expected, launch]) = next_impacts(&mut lanes) else {
             return rests;
         };
-        for (place, lane) in lanes.iter_mut().enumerate() {
+        for (index, lane) in lanes.iter_mut().enumerate() {
             let Some(drop) = lane else { continue };
-            let after = drop.after_impact(expected.0[place], launch.0[place]);
+            let after = drop.after_impact(expected.0[index], launch.0[index]);
             if let ControlFlow::Break(rest) = after {
                 rests[drop.number] = rest;
                 *lane = None;
@@ -93,8 +93,11 @@ pub(super) fn until_rest<'s>(
     }
 }
 
-/// What the next impact of each drop is expected to keep of the speed, and the launch after it, m/s; `None` where there is
-/// no drop in any lane.
+/// The restitution that is expected at the next impact of each drop, and the launch speed after it, m/s; `None` if no lane
+/// has a drop.
+///
+/// With the ratio q = (1 - e)/e of speed lost to speed kept, the law gives q(v) = 1/e(v) - 1. Below the slowest impact
+/// detected, v0, it is at least q(v0) (v/v0)^0.6, and grows as (v0/v)^k besides; e = 1/(1 + q).
 fn next_impacts(lanes: &mut [Option<Bouncing>; LANES]) -> Option<[Lanes<LANES>; 2]> {
     let any = lanes.iter().flatten().next()?.point.law;
     let random = lanes.each_mut();
@@ -122,7 +125,7 @@ fn next_impacts(lanes: &mut [Option<Bouncing>; LANES]) -> Option<[Lanes<LANES>; 
 }
 
 impl<'a> Bouncing<'a> {
-    /// A drop at its last impact detected; `None` if it makes no sense.
+    /// A drop at its last impact detected; `None` if it is beyond the tables.
     fn new(
         model: &Model<'a>,
         point: Point,
@@ -171,13 +174,13 @@ impl<'a> Bouncing<'a> {
         })
     }
 
-    /// Goes on from an impact that was expected to keep so much of the speed, and the launch after it. Breaks at its end,
-    /// without a result if it does not come to rest.
+    /// Adds an impact with this expected restitution, and the flight after it with this launch speed. Breaks at the end of
+    /// the drop, without a result if it does not come to rest.
     fn after_impact(&mut self, expected: f64, launch: f64) -> ControlFlow<Option<Rest>> {
         let gravity = self.point.gravity_m_s2;
         self.rest.time_s += self.point.contact_time_s;
         if launch < (0.5 * gravity * self.point.contact_time_s).max(REST_M_S) {
-            // What a single impact keeps may be more than all, and many follow.
+            // The restitution expected, without scatter, since many impacts follow: that of one may exceed 1.
             let last = last_bounces(launch, expected, gravity);
             self.rest.time_s += last.time_s;
             self.rest.path_m += last.path_m;

@@ -10,7 +10,7 @@ use crate::flight::table::Row;
 use crate::restitution::SpeedRange;
 use crate::stats::{median, robust_sd};
 
-/// The middle of what was detected, at which laws are pinned.
+/// The speeds of the impacts detected, and rough estimates that a search starts from.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ReferenceSpeed {
     /// The speeds of the impacts; v* is their geometric mean.
@@ -21,12 +21,12 @@ pub(super) struct ReferenceSpeed {
     pub(super) first_launch_m_s: f64,
     /// Robust standard deviation of ln e, if any impact shows one.
     pub(super) scatter: Option<f64>,
-    /// How many times larger than stated the errors of the times are, if they make all of it.
+    /// Factor on the standard errors of the times with which they explain all differences of ln e.
     pub(super) timing: Option<f64>,
 }
 
 impl ReferenceSpeed {
-    /// From the restitution of each impact at the nominal drag; a guess where there is none.
+    /// By the restitution of each impact at the nominal drag; a guess where no impact shows one.
     ///
     /// # Errors
     /// [`Error::CannotInfer`] if the ball gains speed in most impacts, or a flight is too long for

@@ -1,8 +1,8 @@
 //! The residual of each impact, and its derivatives by the two noises.
 //!
-//! A residual compares the launch after an impact with what the law makes of the speed before it.
-//! Neighbours share times, and the scatter of the impacts that were missed between them; here is
-//! what each depends on, and how strongly.
+//! A residual compares the launch after an impact with the one that the law predicts from the speed before it.
+//! Neighbours share times, and the scatter of the impacts that were missed between them; this module has the
+//! derivatives of each residual by both.
 
 use super::banded::Banded;
 use super::parameters::{MAX_GAP_STEPS, MIN_WEIGHT, NEWTON_TOLERANCE};
@@ -12,7 +12,7 @@ use crate::flight::table::{FlightTable, Row};
 use crate::restitution::Restitutions;
 use crate::simd::Lanes;
 
-/// An interval as its ends see it, for as many points as there are lanes.
+/// The speeds at the ends of an interval, for one point in each lane.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct End<const L: usize> {
     /// Logarithms of the launch speed at its start and of the impact speed at its end, in m/s.
@@ -21,13 +21,14 @@ pub(super) struct End<const L: usize> {
     /// Their derivatives by its duration, 1/s.
     pub(super) launch_per_s: Lanes<L>,
     impact_per_s: Lanes<L>,
-    /// What the scatter of missed impacts does to the logarithms: squares and product.
+    /// Variances and covariance of the logarithms by the scatter of missed impacts, for a scatter of one.
     launch_scatter: Lanes<L>,
     impact_scatter: Lanes<L>,
     shared_scatter: Lanes<L>,
 }
 
-/// What the scatter of missed impacts does to the logarithms of the speeds at both ends: variances and covariance.
+/// Variances and covariance of the logarithms of the speeds at both ends of an interval by the scatter of the impacts
+/// missed in it, for a scatter of one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Gap<const L: usize> {
     pub(super) launch: Lanes<L>,
@@ -35,7 +36,7 @@ pub(super) struct Gap<const L: usize> {
     pub(super) shared: Lanes<L>,
 }
 
-/// A residual with its noise, for as many points as there are lanes.
+/// A residual with its noise, for one point in each lane.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Residual<const L: usize> {
     pub(super) value: Lanes<L>,
@@ -44,15 +45,15 @@ pub(super) struct Residual<const L: usize> {
     /// Variance by the scatter, for a scatter of one, and its covariance with the one before.
     pub(super) scatter: Lanes<L>,
     pub(super) scatter_before: Lanes<L>,
-    /// The law keeps this part of a change of the logarithm of the impact speed before.
+    /// Derivative 1 + d ln e/d ln v of ln(launch speed) by ln(impact speed) under the law.
     pub(super) keeps: Lanes<L>,
-    /// The impact in the middle of `timing`.
+    /// Index of the impact of the second derivative of `timing`.
     pub(super) impact: usize,
-    /// Variance of its own, such as that of a release time.
+    /// Further variance, such as that of a release time.
     pub(super) own_variance: f64,
 }
 
-/// The fall from the drop height, and the impacts before the first one detected.
+/// The fall from the drop height, and the missed impacts before the first one detected.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct InitialFall {
     pub(super) gravity_height: f64,
@@ -77,7 +78,8 @@ impl<const L: usize> End<L> {
         shared_scatter: Lanes::all(0.0),
     };
 
-    /// One flight, from its curves and the time that it lasts, relative to the nominal one too.
+    /// One flight, from its curves ([`Curves`](super::timed_flights::Curves)), g and g T. With x = T/T0 - 1,
+    /// ln v = ln(g T/2) + a + x (b + x c), so T d ln v/dT = 1 + (1 + x)(b + 2 c x).
     #[inline(always)]
     pub(super) fn of_flight(
         curves: &[Lanes<L>; 6],
@@ -100,9 +102,8 @@ impl<const L: usize> End<L> {
         }
     }
 
-    /// What the scatter of missed impacts does to the logarithms of launch and impact speed: variances and covariance,
-    /// for a scatter of one; `None` where none was missed. The fall has its time in place of a launch, with the opposite
-    /// sign, in s.
+    /// The effect of the scatter of missed impacts; `None` where none was missed. The fall has its time in place of a
+    /// launch, with the opposite sign, in s.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(super) fn gap(&self) -> Option<Gap<L>> {
         let missed = |scatter: Lanes<L>| scatter.0.iter().any(|scatter| *scatter > 0.0);
@@ -113,7 +114,7 @@ impl<const L: usize> End<L> {
         })
     }
 
-    /// Launch and impact speed, if the interval takes so much longer than it seems and their logarithms are off by so much.
+    /// Launch and impact speed if the interval is longer than measured by this time and their logarithms deviate by `off`.
     #[inline(always)]
     pub(super) fn speeds_after(&self, longer_s: Lanes<L>, off: [Lanes<L>; 2]) -> [Lanes<L>; 2] {
         [
@@ -122,7 +123,7 @@ impl<const L: usize> End<L> {
         ]
     }
 
-    /// The ends of one interval under each of the points; one that makes no sense is not a number.
+    /// The ends of one interval for each of the points; one that is not valid is not a number.
     pub(super) fn gather(ends: [Option<End<1>>; L]) -> Self {
         let lanes = |number: fn(&End<1>) -> Lanes<1>| {
             Lanes::of(|lane| ends[lane].as_ref().map_or(f64::NAN, |end| number(end).0[0]))
@@ -140,15 +141,15 @@ impl<const L: usize> End<L> {
 }
 
 impl End<1> {
-    /// An interval with missed impacts, which are taken to obey the law; how far they may not is
-    /// scatter.
+    /// An interval with missed impacts, which obey the law but for their scatter: the launch from which all its flights
+    /// together last as long, by Newton's method in ln(launch speed).
     pub(super) fn of_gap(
         table: &FlightTable,
         gravity_time: f64,
         flights: usize,
         point: &Point,
     ) -> Option<Self> {
-        // As if each flight were as long as the others.
+        // Start: flights of equal length, without air.
         let mut log_launch = (0.5 * gravity_time / flights as f64).ln();
         for _ in 0..MAX_GAP_STEPS {
             let rows = rows(table, log_launch.exp(), flights, point)?;
@@ -165,7 +166,7 @@ impl End<1> {
         let launch_per_s = point.gravity_m_s2 / slope;
         let mut scatter = [0.0; 3];
         for missed in 1..rows.len() {
-            // The duration is given: what a missed impact adds later must come off the launch.
+            // The duration is given, so a launch changes by the negative of what a missed impact adds to the time.
             let (later, on_impact) = response(&rows[missed..], point);
             let on_launch = -later / slope;
             let on_impact = on_impact + impact * on_launch;
@@ -187,7 +188,7 @@ impl End<1> {
 }
 
 impl InitialFall {
-    /// What the unknowns say of it, if so many impacts were missed.
+    /// The fall of a point if this number of impacts was missed.
     pub(super) fn new(table: &FlightTable, point: &Point, missed_first: usize) -> Option<Self> {
         let fall = table.rise_and_fall(point.fall_launch_m_s)?;
         let flights = chain(table, point, fall.row.impact, missed_first)?;
@@ -212,7 +213,7 @@ impl InitialFall {
         Some(opening)
     }
 
-    /// It as the impact at its end sees it.
+    /// The end of the fall, at the first impact detected.
     pub(super) fn end<const L: usize>(falls: &[Self; L]) -> End<L> {
         let lanes = |number: fn(&Self) -> f64| Lanes::of(|lane| number(&falls[lane]));
         End {
@@ -226,7 +227,7 @@ impl InitialFall {
 }
 
 impl<const L: usize> Residual<L> {
-    /// How far the first impact detected is from where a measured release puts it, s.
+    /// Time of the first impact detected minus that predicted by a measured release, s.
     pub(super) fn of_release(
         first_impact_s: f64,
         release_s: Measured,
@@ -245,14 +246,15 @@ impl<const L: usize> Residual<L> {
         }
     }
 
-    /// Its derivatives by times, 1/s, each with the number of the impact; there may be none of the last number.
+    /// Its derivatives by times, 1/s, each with the index of the impact; the last index may be beyond the impacts.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(super) fn by_times(&self) -> impl Iterator<Item = (usize, Lanes<L>)> {
-        let rows = (0..).zip(self.timing);
-        rows.filter_map(|(place, by_s)| Some(((self.impact + place).checked_sub(1)?, by_s)))
+        let derivatives = (0..).zip(self.timing);
+        derivatives
+            .filter_map(|(number, by_s)| Some(((self.impact + number).checked_sub(1)?, by_s)))
     }
 
-    /// That of one point.
+    /// The residual of one point.
     pub(super) fn in_lane(&self, lane: usize) -> Residual<1> {
         let of = |lanes: Lanes<L>| Lanes([lanes.0[lane]]);
         Residual {
@@ -266,7 +268,8 @@ impl<const L: usize> Residual<L> {
         }
     }
 
-    /// The residual of the impact between two intervals.
+    /// The residual of the impact between two intervals, r = ln v(after) - ln v'(before) - ln e(v'). A time shared by both
+    /// lengthens one and shortens the other.
     #[inline(always)]
     pub(super) fn between(
         before: &End<L>,
@@ -290,7 +293,7 @@ impl<const L: usize> Residual<L> {
     }
 }
 
-/// The noise of the data at as many points as there are lanes.
+/// The noise of the data, for one point in each lane.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Noise<'o, const L: usize> {
     /// Standard errors of the times, s, and the square of the factor on them.
@@ -333,7 +336,7 @@ impl<'o, const L: usize> Noise<'o, L> {
     pub(super) fn shared_by_time(&self, earlier: &Residual<L>, later: &Residual<L>) -> Lanes<L> {
         let (a, b, own) = (earlier.timing, later.timing, later.impact);
         match own - earlier.impact {
-            // The release and the first impact detected have the same one in the middle.
+            // The residuals of the release and of the first impact have the same impact.
             0 => a[1] * b[1] * self.of_time(own),
             1 => a[1] * b[0] * self.of_time(own - 1) + a[2] * b[1] * self.of_time(own),
             2 => a[2] * b[0] * self.of_time(own - 1),
@@ -341,7 +344,7 @@ impl<'o, const L: usize> Noise<'o, L> {
         }
     }
 
-    /// Covariances of the residuals, which count so much each, by the times, by the scatter and by a release.
+    /// Covariances of the residuals, each with its weight, by the times, by the scatter and by a release.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(super) fn covariances(
         &self,
@@ -352,12 +355,12 @@ impl<'o, const L: usize> Noise<'o, L> {
         let mut covariances = <[Banded<L>; 3]>::default();
         let [by_time, by_scatter, by_release] = &mut covariances;
         for (row, (residual, weight)) in residuals.iter().zip(weights).enumerate() {
-            let shared = |rows: usize| {
-                let earlier = row.checked_sub(rows).map(|place| &residuals[place]);
+            let shared = |before: usize| {
+                let earlier = row.checked_sub(before).map(|earlier| &residuals[earlier]);
                 earlier.map_or(zero, |earlier| self.shared_by_time(earlier, residual))
             };
             by_time.push([shared(2), shared(1), self.by_time(residual)]);
-            // An odd impact counts less, as if its scatter were larger.
+            // An outlier has less weight, as if its scatter were larger.
             let own = self.scatter * residual.scatter / weight.max(MIN_WEIGHT);
             by_scatter.push([zero, self.scatter * residual.scatter_before, own]);
             by_release.push([zero, zero, Lanes::all(residual.own_variance)]);
@@ -386,8 +389,8 @@ fn chain(table: &FlightTable, point: &Point, impact: f64, flights: usize) -> Opt
     Some(rows)
 }
 
-/// What a change of ln(launch speed) of the first flight does to the time of all (times gravity)
-/// and to ln(impact speed) at their end.
+/// Derivatives of the time of all flights (times gravity) and of ln(impact speed) at their end by ln(launch speed) of the
+/// first: the chain rule through each flight and each impact between them.
 fn response(rows: &[Row], point: &Point) -> (f64, f64) {
     let (mut time, mut log_impact) = (0.0, 0.0);
     let mut log_launch = 1.0;

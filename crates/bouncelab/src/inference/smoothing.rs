@@ -1,9 +1,10 @@
-//! The drop that the times may stand for: their errors, and the scatter of missed impacts, as the data leave them open.
+//! Draws of the whole drop, given its unknowns: the errors of the times and the scatter of missed impacts.
 //!
-//! The unknowns alone do not tell the speed at an impact: the times that show it have errors. With given unknowns the
-//! errors, the scatter and the residuals are normal together. So noise is drawn as it is before the data, and corrected
-//! by what the real residuals say of it (a simulation smoother by mean corrections, J. Durbin and S. J. Koopman,
-//! Biometrika 89, 603, 2002).
+//! The unknowns alone do not determine the speed at an impact: the times that show it have errors. Given the unknowns,
+//! the noise x (errors and scatter) and the residuals r = A x + own noise are jointly normal. To draw x given r, a simulation
+//! smoother draws noise x0 from its prior, computes the residuals r0 that it would make, and corrects it by the
+//! regression on the difference: x = x0 + S A' C⁻¹ (r - r0), with the covariances S of x and C of r (J. Durbin and S. J.
+//! Koopman, Biometrika 89, 603, 2002).
 
 use rand::rngs::Xoshiro256PlusPlus;
 use rand_distr::{Distribution, StandardNormal};
@@ -15,7 +16,7 @@ use super::residual::{Gap, Noise, Residual};
 use super::unknowns::{Model, Point};
 use crate::simd::{Lanes, dispatch};
 
-/// A drop as the times may tell it.
+/// A drop that is compatible with the times.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct DropState {
     pub(super) drop_height_m: f64,
@@ -29,21 +30,20 @@ pub(super) struct DropState {
     pub(super) apexes_m: Vec<f64>,
 }
 
-/// The random numbers of each lane, where it is used.
+/// The random number generator of each lane that is in use.
 type Random<'r, const L: usize> = [Option<&'r mut Xoshiro256PlusPlus>; L];
 
-/// What may be beside what the unknowns say.
+/// The noise: deviations from what the unknowns determine.
 struct Deviations<const L: usize> {
     /// Errors of the times, s.
     errors_s: Vec<Lanes<L>>,
-    /// By how much missed impacts make the logarithms of launch and impact speed larger than the law says, for each end;
-    /// of the fall its time shorter, s, in place of the first.
+    /// For each end the deviations of ln(launch speed) and ln(impact speed) from the law by missed impacts; for the fall the
+    /// first is minus the deviation of its time, s.
     off: Vec<[Lanes<L>; 2]>,
 }
 
 impl Model<'_> {
-    /// Drops that the times may tell, if the unknowns have the values of these points: one of many for each point. `None`
-    /// where one of them makes no sense.
+    /// One draw of the drop for each point, given its values of the unknowns. `None` if one of the points is not valid.
     pub(super) fn drawn_states<const L: usize>(
         &self,
         points: &[Point; L],
@@ -90,7 +90,7 @@ struct Smoother<'a, const L: usize> {
     /// Standard deviation of the scatter and of each time, s.
     scatter: Lanes<L>,
     times_s: Vec<Lanes<L>>,
-    /// Of each residual the standard deviation of the noise that is its alone.
+    /// Standard deviation of the noise that a residual does not share with others: its own scatter and that of a release.
     own_sds: Vec<Lanes<L>>,
     covariance: Banded<L>,
 }
@@ -144,7 +144,7 @@ impl<'a, const L: usize> Smoother<'a, L> {
         [after.checked_sub(1).and_then(gap), gap(after)]
     }
 
-    /// The number of the end after the impact of a residual; that of a release has none before.
+    /// Index of the end after the impact of a residual; the residual of a release has no end before it.
     #[inline(always)]
     fn end_of(&self, row: usize) -> usize {
         row + self.evaluation.ends.len() - self.evaluation.residuals.len()
@@ -156,7 +156,8 @@ impl<'a, const L: usize> Smoother<'a, L> {
         self.evaluation.residuals.iter().enumerate()
     }
 
-    /// Deviations as they are before the data.
+    /// x0: deviations drawn from their prior. Those of both ends of a gap are correlated, so the second is its regression on
+    /// the first plus an independent part.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn draw(&self, random: &mut Random<L>) -> Deviations<L> {
         let errors_s = self.times_s.iter().map(|&sd_s| sd_s * normal(random));
@@ -179,25 +180,27 @@ impl<'a, const L: usize> Smoother<'a, L> {
         Deviations { errors_s, off }
     }
 
-    /// Corrects deviations by what the residuals are beyond those that they make.
+    /// x = x0 + S A' C⁻¹ (r - r0).
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn correct(&self, deviations: &mut Deviations<L>, random: &mut Random<L>) {
         let Deviations { errors_s, off } = deviations;
-        let beyond = self.rows().map(|(row, residual)| {
+        // r - r0, with the derivatives of each residual by its times and by the gaps on both sides.
+        let difference = self.rows().map(|(row, residual)| {
             let after = self.end_of(row);
-            let mut made = self.own_sds[row] * normal(random) - off[after][0];
+            let mut simulated = self.own_sds[row] * normal(random) - off[after][0];
             if let Some(before) = after.checked_sub(1) {
-                made = made + residual.keeps * off[before][1];
+                simulated = simulated + residual.keeps * off[before][1];
             }
             for (impact, by_s) in residual.by_times() {
                 if let Some(error_s) = errors_s.get(impact) {
-                    made = made + by_s * *error_s;
+                    simulated = simulated + by_s * *error_s;
                 }
             }
-            residual.value - made
+            residual.value - simulated
         });
-        let mut pull: Vec<Lanes<L>> = beyond.collect();
+        let mut pull: Vec<Lanes<L>> = difference.collect();
         self.covariance.solve(&mut pull);
+        // S A' times the solution: each deviation by its covariance with the residual.
         let scatter = self.scatter * self.scatter;
         for ((row, residual), pull) in self.rows().zip(pull) {
             for (impact, by_s) in residual.by_times() {
@@ -221,12 +224,12 @@ impl<'a, const L: usize> Smoother<'a, L> {
         }
     }
 
-    /// Of each end the launch speed of the flight and the speed of the impact after it, m/s, with these deviations.
+    /// Launch speed of the flight and speed of the impact after it at each end, m/s, with these deviations.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn speeds(&self, Deviations { errors_s, off }: &Deviations<L>) -> Vec<[Lanes<L>; 2]> {
         let ends = self.evaluation.ends.iter().zip(off).enumerate();
         ends.map(|(index, (end, off))| {
-            // How much longer the interval was than it seems; the fall has its time in place of the launch.
+            // The interval was longer than measured by the difference of its errors. The fall has no launch.
             match index.checked_sub(1) {
                 None => end.speeds_after(Lanes::all(0.0), *off),
                 Some(before) => end.speeds_after(errors_s[before] - errors_s[index], *off),
@@ -260,7 +263,7 @@ mod tests {
     const TIME_SD_S: f64 = 1e-3;
     const RELEASE_SD_S: f64 = 3e-3;
 
-    /// A drop of known unknowns, released when the model says or so: the impacts detected, and its state.
+    /// A drop with given unknowns, released at the time of the model but for its error: the impacts detected, and its state.
     fn simulated(
         model: &Model,
         point: &Point,
@@ -294,7 +297,7 @@ mod tests {
         (detected, [speed, last_s - first_s, first_s - released_s])
     }
 
-    /// Of several points side by side, each with its random numbers, what is drawn is what is drawn of each alone.
+    /// Draws for several points at once are those for each point alone with the same random numbers.
     #[test]
     fn states_drawn_side_by_side_are_those_drawn_alone() {
         with_model(&impacts(), |model, vector| {
@@ -313,8 +316,8 @@ mod tests {
         });
     }
 
-    /// Errors of the times, scatter of detected and of missed impacts, and an uncertain release: what is drawn holds the
-    /// truth as often as it says.
+    /// Errors of the times, scatter of detected and of missed impacts, and an uncertain release: intervals of the draws
+    /// contain the truth with their probability.
     #[test]
     fn intervals_of_drawn_states_hold_the_truth() {
         const DROPS: usize = 200;

@@ -1,4 +1,4 @@
-//! Vectors that are tried side by side, with what they stand for: points, flights and falls.
+//! Vectors that are evaluated at once, one in each lane, with their points, flights and falls.
 
 use std::array;
 
@@ -11,25 +11,25 @@ use crate::flight::table::{FlightTable, LEAST_SLOPE, Row};
 use crate::restitution::Restitutions;
 use crate::simd::{Lanes, dispatch};
 
-/// Points that are tried side by side, with what they stand for.
+/// Points that are evaluated at once, one in each lane, with their flights and falls.
 #[derive(Debug, Clone)]
 pub(super) struct Trials<'a, const L: usize> {
     pub(super) points: [Point; L],
     pub(super) tables: [FlightTable<'a>; L],
     pub(super) flights: FlightsAtStrengths<'a, L>,
     pub(super) falls: [InitialFall; L],
-    /// Whether the point makes sense; the lane of another does work that counts for nothing.
+    /// Whether the point is valid; the results of other lanes are ignored.
     pub(super) valid: [bool; L],
 }
 
 impl<'a> Model<'a> {
-    /// The values that a vector stands for; `None` where it makes no sense.
+    /// The values of the unknowns at a vector; `None` if it is not valid.
     pub(super) fn point(&self, vector: &[f64]) -> Option<Point> {
         let [point] = self.points(&[vector]);
         point
     }
 
-    /// The same of vectors side by side.
+    /// The values of the unknowns at each vector.
     pub(super) fn points<const L: usize>(&self, vectors: &[&[f64]; L]) -> [Option<Point>; L] {
         let found = dispatch(
             #[inline(always)]
@@ -44,14 +44,14 @@ impl<'a> Model<'a> {
         })
     }
 
-    /// Vectors with what they stand for; `None` if none of them makes sense.
+    /// Vectors with their points, flights and falls; `None` if none of them is valid.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(super) fn trials<const L: usize>(&self, vectors: &[&[f64]; L]) -> Option<Trials<'a, L>> {
         let (points, tables, valid) = self.points_in_tables(vectors)?;
         self.trials_of(points, tables, valid)
     }
 
-    /// The points that vectors stand for, their flights, and which of them make sense so far.
+    /// The points of vectors, their flights, and which of them are valid so far.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn points_in_tables<const L: usize>(
         &self,
@@ -84,7 +84,7 @@ impl<'a> Model<'a> {
         Some((points, tables, valid))
     }
 
-    /// Points with what they stand for; `None` if none of them makes sense.
+    /// Points with their flights and falls; `None` if none of them is valid.
     pub(super) fn trials_at<const L: usize>(&self, points: &[Point; L]) -> Option<Trials<'a, L>> {
         let mut valid = [true; L];
         let tables = points.each_ref().map(|point| self.table(point));
@@ -92,7 +92,7 @@ impl<'a> Model<'a> {
         self.trials_of(*points, tables, valid)
     }
 
-    /// Points with what they stand for, under tables of their own.
+    /// Points and tables with their flights and falls; `None` if none of them is valid.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn trials_of<const L: usize>(
         &self,
@@ -111,8 +111,10 @@ impl<'a> Model<'a> {
         })
     }
 
-    /// About the logarithms of the launches that would rise to the drop heights, by the first flight and the law. Any smooth
-    /// function of the unknowns serves: one step of Newton's method is near enough.
+    /// Approximate logarithms of the launch speeds with which the ball would rise to the drop heights, by the first flight and
+    /// the law. Since it is only the origin of a coordinate, any smooth function of the unknowns serves: from the launch
+    /// after the first impact one Newton step to the impact speed before it (ln v + ln e(v) = ln(launch)), and one to the
+    /// launch of the flight that ends with it.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn suggested_ln_launch<const L: usize>(
         &self,
@@ -141,25 +143,28 @@ impl<'a> Model<'a> {
         ln_impact + off / of(|row| row.impact_slope).max(LEAST_SLOPE)
     }
 
-    /// The drop height that a point stands for, m.
+    /// The drop height of a point, m.
     pub(super) fn drop_height_m(&self, point: &Point) -> Option<f64> {
         let (gravity_height, _) = self.table(point)?.apex(point.fall_launch_m_s)?;
         Some(gravity_height / point.gravity_m_s2)
     }
 
-    /// The flights under the drag of a point; `None` if it is absurd.
+    /// The flights under the drag of a point; `None` if that is beyond the tables.
     pub(super) fn table(&self, point: &Point) -> Option<FlightTable<'a>> {
         self.medium.flights.at(point.drag_strength)
     }
 }
 
-/// What was found in each lane; where nothing was, that of another, and the lane is not valid. `None` if nothing was found
-/// at all.
+/// The value of each lane; a lane without a value gets that of another and is marked as not valid. `None` if no lane has a
+/// value.
 #[inline(always)]
-fn filled<T: Copy, const L: usize>(found: [Option<T>; L], valid: &mut [bool; L]) -> Option<[T; L]> {
-    let other = found.iter().flatten().next().copied()?;
-    for (valid, found) in valid.iter_mut().zip(&found) {
-        *valid &= found.is_some();
+fn filled<T: Copy, const L: usize>(
+    values: [Option<T>; L],
+    valid: &mut [bool; L],
+) -> Option<[T; L]> {
+    let other = values.iter().flatten().next().copied()?;
+    for (valid, value) in valid.iter_mut().zip(&values) {
+        *valid &= value.is_some();
     }
-    Some(found.map(|found| found.unwrap_or(other)))
+    Some(values.map(|value| value.unwrap_or(other)))
 }

@@ -31,57 +31,58 @@ pub(super) struct Model<'a> {
     pub(super) timing_sd: f64,
     typical_scatter: f64,
     slots: Vec<Slot>,
-    /// From where the coordinate of the restitution counts, in units of the noise; it is the logit if `None`.
+    /// Origin of the coordinate of the restitution, which is then in units of the noise; if `None`, the coordinate is the
+    /// logit.
     expected_restitution: Option<ExpectedRestitution>,
 }
 
-/// What the unknowns that impacts hardly tell make one expect of the restitution: a logit that is linear in them.
+/// The restitution that is expected given the unknowns that impacts hardly determine: its logit is linear in them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct ExpectedRestitution {
-    /// Where all of them are zero.
+    /// The logit where all of them are zero.
     pub(super) logit: f64,
     /// Its derivative by each of them.
     pub(super) slopes: [f64; ExpectedRestitution::BY.len()],
 }
 
 impl ExpectedRestitution {
-    /// The unknowns that impacts hardly tell.
+    /// The unknowns that impacts hardly determine.
     pub(super) const BY: [Slot; 4] = [Slot::Drag, Slot::Gravity, Slot::Inputs, Slot::Contact];
 }
 
-/// An unknown with a index in the vector.
+/// An unknown, which has an index in the vector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Slot {
-    /// Standard normals before the data: ln of the drag scale ...
+    /// ln of the drag scale, a standard normal before the data.
     Drag,
-    /// ... of effective gravity ...
+    /// ln of effective gravity, a standard normal before the data.
     Gravity,
-    /// ... and of drag over weight, apart from its coefficient.
+    /// ln of drag over weight without its coefficient, given gravity; a standard normal before the data.
     Inputs,
-    /// logit e*, or how far it is from the one expected in units of the noise.
+    /// logit e*, or its distance from the expected one in units of the noise.
     Restitution,
-    /// The numbers of the law besides e*, as standard normals.
+    /// A number of the law besides e*, a standard normal before the data.
     Shape(usize),
-    /// The drop height, as [`Height`] says.
+    /// The drop height, with the coordinate that [`Height`] states.
     Height,
-    /// Standard normals again: ln of the scatter ...
+    /// ln of the scatter, as a function of a standard normal ([`scatter_prior`]).
     Scatter,
-    /// ... of the errors of the times ...
+    /// ln of the factor on the errors of the times, a standard normal before the data.
     Timing,
-    /// ... and of the contact time.
+    /// ln of the contact time, a standard normal before the data.
     Contact,
 }
 
-/// What the coordinate of the drop height means: each keeps the height out of the correlations of
-/// everything else, which are crooked where the height is known well or few impacts were detected.
+/// The coordinate of the drop height. Each is chosen so that the posterior is nearly normal: the correlations of the height
+/// itself with the other unknowns are curved where it is known well or few impacts were detected.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Height {
-    /// A standard normal: how far the height is from the measured one.
+    /// Deviation from the measured height in its standard uncertainties.
     Measured(Measured),
-    /// How far the fall is from what the law makes of the first flight, in units of the noise between
-    /// the two.
+    /// Deviation of ln(launch speed of the fall) from the value that first flight and law predict, in units of the noise
+    /// between the two.
     FromFirstFlight,
-    /// ln of the speed with which a launch would rise to it.
+    /// ln of the launch speed with which the ball would rise to it.
     Speed,
 }
 
@@ -93,17 +94,22 @@ pub(super) struct Point {
     pub(super) drag_scale: f64,
     /// Factor on drag over weight: the coefficient and everything else.
     pub(super) drag_strength: f64,
+    /// Effective gravity.
     pub(super) gravity_m_s2: f64,
+    /// Launch speed of the flight whose second half is the fall from the drop height.
     pub(super) fall_launch_m_s: f64,
-    /// Logarithm of the prior density of the coordinate of the restitution, and of the unit of that of the height.
+    /// Logarithm of the prior density of the coordinate of the restitution, and of the unit of the coordinate of the height.
     pub(super) log_density: f64,
+    /// Standard deviation of ln e.
     pub(super) scatter: f64,
+    /// Factor on the standard errors of the times.
     pub(super) timing: f64,
     pub(super) contact_time_s: f64,
 }
 
 impl Point {
-    /// The impact speed that the law turns into a launch speed.
+    /// The impact speed that the law turns into a launch speed: the root of ln v + ln e(v) = ln(launch) by Newton's method
+    /// in ln v, whose derivative is 1 + d ln e/d ln v.
     pub(super) fn impact_before(&self, launch: f64) -> Option<f64> {
         let mut impact = launch / self.law.at(launch);
         for _ in 0..MAX_STEPS {
@@ -172,9 +178,9 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// The same with a coordinate of the restitution that counts from the one expected, if it is given, in units of the noise.
-    /// Few impacts hardly tell the noise, and the restitution the less the larger it is; in units of it they tell it as well
-    /// for any.
+    /// The same with a coordinate of the restitution that is its deviation from the expected one, if that is given, in units
+    /// of the noise. Few impacts hardly determine the noise, and the width of the posterior of the restitution grows with the
+    /// noise: a funnel, which a normal proposal covers badly. In units of the noise the width is the same everywhere.
     pub(super) fn with_expected_restitution(self, expected: Option<ExpectedRestitution>) -> Self {
         Self {
             expected_restitution: expected,
@@ -192,7 +198,7 @@ impl<'a> Model<'a> {
         self.slots.iter().position(|&s| s == slot)
     }
 
-    /// The indices in the vector of the unknowns that are asked for; the others only blur them.
+    /// The indices in the vector of the unknowns that are reported; the others are nuisance parameters.
     pub(super) fn answered(&self) -> Vec<usize> {
         let slots = self.slots.iter().enumerate();
         slots
@@ -206,7 +212,7 @@ impl<'a> Model<'a> {
             .collect()
     }
 
-    /// What the coordinate of the height means.
+    /// The coordinate of the height.
     pub(super) fn height(&self) -> Height {
         match self.height_m {
             Some(measured) => Height::Measured(measured),
@@ -215,10 +221,10 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// What the prior alone says of an unknown: minus the second derivative of its logarithm.
+    /// Information about an unknown from its prior alone: minus the second derivative of the log density.
     pub(super) fn prior_information(&self, slot: Slot, point: &Point) -> f64 {
         match slot {
-            // Flat in e: de/d(logit) = e (1 - e).
+            // Flat in e: the density of the logit x is e (1 - e), and -d² ln(e (1 - e))/dx² = 2 e (1 - e).
             Slot::Restitution => {
                 let (scatter, timing) = (Lanes([point.scatter]), Lanes([point.timing]));
                 let [unit] = self.restitution_unit(scatter, timing).0;
@@ -230,15 +236,17 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// The values that vectors stand for, but for the fall, which takes flights to tell; `None` where the law makes no sense.
+    /// The values of the unknowns at vectors, without the fall, which needs the flights; `None` where the law has no such
+    /// numbers.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(super) fn values<const L: usize>(&self, vectors: &[&[f64]; L]) -> [Option<Point>; L] {
-        let mut values = [Lanes::<L>::all(0.0); 8 + MAX_SHAPES];
+        let mut values = [Lanes::<L>::all(0.0); Slot::WITHOUT_SHAPES + MAX_SHAPES];
         for (index, slot) in self.slots.iter().enumerate() {
             values[slot.position()] = Lanes::of(|lane| vectors[lane][index]);
         }
         let at = |slot: Slot| values[slot.position()];
         let (medium, inputs) = (self.medium, &self.medium.inputs);
+        // Each factor is exp(sd z) with its standard normal z. Gravity and inputs share the two rows of their triangular root.
         let drag_scale = (at(Slot::Drag) * medium.drag_sd).exp();
         let log_inputs =
             at(Slot::Gravity) * inputs.drag_on_gravity + at(Slot::Inputs) * inputs.drag_sd;
@@ -255,7 +263,7 @@ impl<'a> Model<'a> {
         });
         let logit = at(Slot::Restitution) * unit + expected;
         let restitution = Lanes::all(1.0) / ((-logit).exp() + 1.0);
-        // Flat in e: de/d(logit) = e (1 - e).
+        // Flat in e: de/d(logit) = e (1 - e) = exp(-|x|)/(1 + exp(-|x|))², times the unit of the coordinate.
         let off = -logit.abs();
         let log_density = off - (off.exp() + 1.0).ln() * 2.0 + unit.ln();
         let contact_time_s = (at(Slot::Contact) * medium.contact_sd).exp() * medium.contact_time_s;
@@ -276,7 +284,7 @@ impl<'a> Model<'a> {
         })
     }
 
-    /// The unit of the coordinate of the restitution, in its logit.
+    /// Change of the logit for one unit of the coordinate of the restitution.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     fn restitution_unit<const L: usize>(&self, scatter: Lanes<L>, timing: Lanes<L>) -> Lanes<L> {
         if self.expected_restitution.is_none() {
@@ -285,7 +293,8 @@ impl<'a> Model<'a> {
         self.noise(self.observed.intervals.len() / 2, scatter, timing)
     }
 
-    /// About the standard deviation of ln(launch speed) after an impact, given the speed before it.
+    /// Approximate standard deviation of ln(launch speed) after an impact, given the speed before it: that of the scatter, and
+    /// that of the duration of the flight after it, to which the launch speed is nearly proportional.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(super) fn noise<const L: usize>(
         &self,
@@ -300,7 +309,8 @@ impl<'a> Model<'a> {
         (scatter * scatter + timing * timing * per_duration).sqrt()
     }
 
-    /// Where a search may begin: what impacts differ by is scatter, or errors of the times, whichever is more probable.
+    /// Start of a search: the differences between impacts are all scatter, or all errors of the times, whichever is more
+    /// probable.
     pub(super) fn start(&self) -> Vec<f64> {
         let scatter = self.reference.scatter.map_or(0.0, |scatter| {
             scatter_prior::normal(scatter / self.typical_scatter)
@@ -317,7 +327,7 @@ impl<'a> Model<'a> {
         )
     }
 
-    /// The most probable of some vectors, the first of equals. One that makes no sense is less probable than any.
+    /// The most probable of some vectors, the first of equals; one without a posterior is less probable than any.
     pub(super) fn most_probable(&self, vectors: Vec<Vec<f64>>) -> Vec<f64> {
         let tried = DMatrix::from_fn(self.slots.len(), vectors.len(), |index, number| {
             vectors[number][index]
@@ -327,13 +337,13 @@ impl<'a> Model<'a> {
         best.map(|(_, vector)| vector).unwrap_or_default()
     }
 
-    /// The same with these standard normals of the two.
+    /// The start with these standard normals of scatter and timing.
     fn start_with(&self, scatter: f64, timing: f64) -> Vec<f64> {
         let e = self
             .reference
             .restitution
             .clamp(START_RESTITUTIONS[0], START_RESTITUTIONS[1]);
-        // One missed impact more means a fall 1/e faster.
+        // With one more missed impact the fall was faster by a factor 1/e.
         let first = self.reference.first_launch_m_s / e.powf(self.missed_first as f64 + 1.0);
         let height = match self.height() {
             Height::Measured(_) | Height::FromFirstFlight => 0.0,
@@ -352,14 +362,14 @@ impl<'a> Model<'a> {
             .collect()
     }
 
-    /// Where a search may begin if another model of the same drop has been fitted, by what it makes of v*: the nearer the
-    /// fit, the fewer steps.
+    /// Start of a search after another model of the same drop has been fitted: a law with the same restitution and slope at
+    /// v*, and the same other unknowns. The nearer the fit, the fewer steps.
     pub(super) fn start_from(&self, fitted: &Self, fit: &[f64]) -> Vec<f64> {
         let same_law = self.law == fitted.law;
         let point = fitted.point(fit).filter(|_| !same_law);
         let log_slope = point.map(|point| point.law.log_slope(self.reference.speeds.reference_m_s));
         let many_flights = self.observed.intervals.len() >= MANY_FLIGHTS;
-        let known = |slot: &Slot| match slot {
+        let from_fit = |slot: &Slot| match slot {
             Slot::Shape(0) if !same_law => {
                 self.law
                     .normal_of_slope(log_slope?, &self.reference.speeds, many_flights)
@@ -370,11 +380,12 @@ impl<'a> Model<'a> {
         };
         let usual = self.slots.iter().zip(self.start_with(0.0, 0.0));
         usual
-            .map(|(slot, usual)| known(slot).unwrap_or(usual))
+            .map(|(slot, usual)| from_fit(slot).unwrap_or(usual))
             .collect()
     }
 
-    /// Logarithm of the prior density of vectors whose falls have these d ln(height)/d ln(launch).
+    /// Logarithm of the prior density of vectors, but for a constant and for [`Point::log_density`], given
+    /// d ln(height)/d ln(launch) of their falls.
     #[cfg_attr(not(target_family = "wasm"), inline(always))]
     pub(super) fn log_prior<const L: usize>(
         &self,
@@ -385,9 +396,9 @@ impl<'a> Model<'a> {
         for (index, slot) in self.slots.iter().enumerate() {
             let value = Lanes::of(|lane| vectors[lane][index]);
             let log = match slot {
-                // Its density depends on other unknowns too.
+                // In Point::log_density, since it depends on the noise too.
                 Slot::Restitution => Lanes::all(0.0),
-                // Flat in ln h.
+                // Flat in ln h: the density of ln(launch) is d ln h/d ln(launch).
                 Slot::Height if self.height_m.is_none() => height_slope.ln(),
                 _ => value * value * -0.5,
             };
@@ -398,18 +409,21 @@ impl<'a> Model<'a> {
 }
 
 impl Slot {
+    /// Number of unknowns without those of the law.
+    const WITHOUT_SHAPES: usize = 8;
+
     /// Its position among all unknowns that a model may have.
     fn position(self) -> usize {
         match self {
-            Slot::Restitution => 0,
-            Slot::Height => 1,
-            Slot::Drag => 2,
-            Slot::Scatter => 3,
-            Slot::Timing => 4,
-            Slot::Contact => 5,
-            Slot::Gravity => 6,
-            Slot::Inputs => 7,
-            Slot::Shape(number) => 8 + number,
+            Self::Restitution => 0,
+            Self::Height => 1,
+            Self::Drag => 2,
+            Self::Scatter => 3,
+            Self::Timing => 4,
+            Self::Contact => 5,
+            Self::Gravity => 6,
+            Self::Inputs => 7,
+            Self::Shape(number) => Self::WITHOUT_SHAPES + number,
         }
     }
 }

@@ -7,15 +7,16 @@
 //! r = ln v(flight after) - ln v'(flight before) - ln e(v'),
 //!
 //! and residuals of neighbours are correlated, because they share times, and share the scatter of
-//! missed impacts between them: their covariance has two bands beside the diagonal. Its Cholesky
-//! factors turn them, in O(N), into innovations: what each impact adds to what the ones before it
-//! predicted. The density of the *times* needs the Jacobian d ln v/dT too, since v depends on drag.
+//! missed impacts between them: their covariance C has two bands below the diagonal. Its factors
+//! C = L D L' turn the residuals r, in O(N), into independent innovations L⁻¹ r: each is the residual
+//! minus its prediction from the ones before it, and D holds their variances. The density of the
+//! *times* needs the Jacobian d ln v/dT too, since v depends on drag.
 //!
 //! The scatter of real impacts has heavier tails than a normal distribution (J.-Y. Montaine et al.,
-//! arXiv 1104.0049), so an innovation follows Student's t, and what an excess one seems to say of the
-//! times of its neighbours is taken back.
+//! arXiv 1104.0049), so an innovation follows Student's t, and an outlier does not affect the
+//! predictions of its neighbours.
 //!
-//! Every step waits for the one before, so several vectors are evaluated side by side, in [`Lanes`].
+//! Every step depends on the one before, so several vectors are evaluated at once, in [`Lanes`].
 
 use nalgebra::{DMatrix, DVector};
 
@@ -33,7 +34,7 @@ use crate::simd::{LANES, Lanes, dispatch, one_for_each_lane};
 /// An innovation: what one impact adds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Innovation {
-    /// The impact it belongs to, by its index among those detected; the first is the drop itself.
+    /// Index of its impact among those detected; 0 is the fall.
     pub(super) impact: usize,
     /// In units of its standard deviation.
     pub(super) standardised: f64,
@@ -41,7 +42,7 @@ pub(super) struct Innovation {
     pub(super) weight: f64,
 }
 
-/// What each residual adds to a likelihood, in order.
+/// The steps of a likelihood, in order.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Details {
     pub(super) residuals: Vec<Residual<1>>,
@@ -49,30 +50,30 @@ pub(super) struct Details {
     factors: Vec<Factor>,
 }
 
-/// What a vector says, and the derivatives there by the unknowns.
+/// The values at a vector, and their derivatives by the unknowns.
 pub(super) struct Differences {
     pub(super) point: Point,
     pub(super) details: Details,
-    /// Of each residual, in a row.
+    /// Derivatives of each residual, in a row.
     pub(super) residuals: DMatrix<f64>,
     pub(super) log_posterior: f64,
     /// Derivatives of the log posterior.
     pub(super) slope: DVector<f64>,
 }
 
-/// Is told, of each vector by its column, each step by its row, in this lane.
+/// Gets the column of each vector, and the row and the lane of each of its steps.
 type Observer<'o> = &'o mut dyn FnMut(usize, usize, &Step<LANES>, usize);
 
 /// A row of the Cholesky factors L D L' of the covariance of the residuals.
 #[derive(Debug, Clone, Copy)]
 struct Factor {
-    /// Entries of L two and one places before the diagonal, and that of D: the variance of the innovation.
+    /// Entries of L two and one columns before the diagonal, and that of D: the variance of the innovation.
     row: FactorRow<f64>,
-    /// Which share of the variance of the residual is scatter.
+    /// Share of the scatter in the variance of the residual.
     scatter_share: f64,
 }
 
-/// One step of the likelihood: a residual with what it adds.
+/// One step of the likelihood: a residual and its innovation.
 struct Step<'r, const L: usize> {
     residual: &'r Residual<L>,
     factor: FactorRow<Lanes<L>>,
@@ -83,7 +84,7 @@ struct Step<'r, const L: usize> {
     innovation: Lanes<L>,
 }
 
-/// What the likelihood at points is made of.
+/// The parts of the likelihood at points.
 pub(super) struct Evaluation<'a, const L: usize> {
     pub(super) falls: [InitialFall; L],
     pub(super) tables: [FlightTable<'a>; L],
@@ -96,7 +97,7 @@ pub(super) struct Evaluation<'a, const L: usize> {
 
 impl<'a> Model<'a> {
     /// Logarithm of prior times likelihood of vectors, each in a column, but for a constant that all models of the same data
-    /// share; `None` for one that makes no sense. Several at once are faster than one after the other.
+    /// share; `None` for one that is not valid. Several at once are faster than one after the other.
     pub(super) fn log_posteriors(&self, vectors: &DMatrix<f64>) -> Vec<Option<f64>> {
         self.log_posteriors_observed(vectors, None)
     }
@@ -126,7 +127,7 @@ impl<'a> Model<'a> {
         logs
     }
 
-    /// What each impact adds to the likelihood at a vector; `None` where it makes no sense.
+    /// The steps of the likelihood at a vector; `None` if it is not valid.
     pub(super) fn details(&self, vector: &[f64]) -> Option<Details> {
         let mut details = Details::default();
         let vector = DMatrix::from_column_slice(vector.len(), 1, vector);
@@ -135,7 +136,7 @@ impl<'a> Model<'a> {
         Some(details)
     }
 
-    /// What the likelihood at points is made of; `None` where one of them makes no sense.
+    /// The parts of the likelihood at points; `None` if one of them is not valid.
     pub(super) fn evaluate<const L: usize>(
         &self,
         points: &[Point; L],
@@ -170,7 +171,7 @@ impl<'a> Model<'a> {
         valid.then_some(evaluation)
     }
 
-    /// Logarithm of prior times likelihood of each vector, with every step told.
+    /// Logarithm of prior times likelihood of each vector; every step is reported.
     fn log_posteriors_in_lanes<const L: usize>(
         &self,
         vectors: &[&[f64]; L],
@@ -222,7 +223,7 @@ impl<'a> Model<'a> {
         likelihood.log() + jacobian.ln()
     }
 
-    /// An interval under each of the trials.
+    /// The ends of an interval for each of the trials.
     #[inline(always)]
     fn end<const L: usize>(&self, interval: usize, trials: &Trials<L>) -> End<L> {
         let observed = &self.observed.intervals[interval];
@@ -241,9 +242,9 @@ impl<'a> Model<'a> {
         End::of_flight(&curves, gravity, gravity_time, per_nominal)
     }
 
-    /// The information about the unknowns at a vector, by the derivatives of the residuals: how fast the
-    /// log posterior falls off in each direction. Exact for a normal posterior, and near enough for a
-    /// search.
+    /// The information about the unknowns at a vector, J' W J with the derivatives J of the whitened residuals and their
+    /// weights W, plus that of noise and priors: the expected curvature of the log posterior. Exact for a normal posterior,
+    /// and accurate enough for a search.
     pub(super) fn information(
         &self,
         vector: &[f64],
@@ -257,8 +258,8 @@ impl<'a> Model<'a> {
             row *= innovation.weight;
         }
         let mut information = slopes.transpose() * weighted;
-        // The noise: the logarithm of a standard deviation is known to 1/2^1/2 from one residual,
-        // less from one with tails.
+        // Fisher information of ln sigma: 2 for each normal residual, 2 nu/(nu + 3) for Student's t. A residual of
+        // variance a + b, with a by scatter and b by timing, has the shares of both as derivatives of ln sigma.
         let per_residual = 2.0 * SCATTER_FREEDOM / (SCATTER_FREEDOM + 3.0);
         let scatter = self.index(Slot::Scatter).map(|index| vector[index]);
         let scatter_slope = scatter.map_or(0.0, scatter_prior::log_slope);
@@ -281,7 +282,7 @@ impl<'a> Model<'a> {
     /// A vector and the derivatives there by the unknowns, by central differences.
     pub(super) fn differences(&self, vector: &[f64]) -> Option<Differences> {
         let unknowns = vector.len();
-        // Above in the first columns, below in as many others, and the vector itself in the last.
+        // Steps up in the first columns, steps down in as many others, and the vector itself in the last.
         let sign = |column: usize| if column < unknowns { 1.0 } else { -1.0 };
         let mut tried = DMatrix::from_fn(unknowns, 2 * unknowns + 1, |unknown, _| vector[unknown]);
         for column in 0..2 * unknowns {
@@ -310,7 +311,7 @@ impl<'a> Model<'a> {
         })
     }
 
-    /// How many residuals the data make.
+    /// Number of residuals.
     fn rows_of_data(&self) -> usize {
         self.observed.intervals.len() + usize::from(self.release_s.is_some())
     }
@@ -332,7 +333,8 @@ impl Details {
         });
     }
 
-    /// Turns derivatives of the residuals into those of independent residuals of unit variance.
+    /// Turns derivatives of the residuals into those of independent residuals of unit variance: D^-1/2 L⁻¹ times each
+    /// column, by forward substitution.
     fn whiten(&self, slopes: &mut DMatrix<f64>) {
         for mut column in slopes.column_iter_mut() {
             for (row, factor) in self.factors.iter().enumerate() {
@@ -348,14 +350,13 @@ impl Details {
     }
 }
 
-/// A likelihood on the way from residual to residual.
+/// A likelihood after some of its residuals.
 struct Likelihood<'o, const L: usize> {
     noise: Noise<'o, L>,
-    /// The residuals before, with their factors and innovations as far as they are believed; the last
-    /// first.
+    /// The last two residuals, with their factors and bounded innovations; the last first.
     before: [Option<Residual<L>>; 2],
     factors: [FactorRow<Lanes<L>>; 2],
-    believed: [Lanes<L>; 2],
+    bounded: [Lanes<L>; 2],
     densities: Lanes<L>,
     widths: Product<L>,
 }
@@ -367,9 +368,9 @@ impl<'o, const L: usize> Likelihood<'o, L> {
         Self {
             noise,
             before: [None; 2],
-            // Before the first row stands a matrix that is one.
+            // The matrix is continued upwards by the unit matrix.
             factors: [[zero, zero, one]; 2],
-            believed: [zero; 2],
+            bounded: [zero; 2],
             densities: zero,
             widths: Product::default(),
         }
@@ -379,9 +380,10 @@ impl<'o, const L: usize> Likelihood<'o, L> {
     #[inline(always)]
     fn add<'r>(&mut self, residual: &'r Residual<L>) -> Step<'r, L> {
         let noise = &self.noise;
+        // The row of C: its diagonal entry, and those one and two columns before it.
         let by_scatter = noise.scatter * residual.scatter;
         let diagonal = by_scatter + noise.by_time(residual) + residual.own_variance;
-        // Only neighbours share the scatter of what was missed between them.
+        // Only neighbours share the scatter of the impacts missed between them.
         let first = match &self.before[0] {
             Some(it) => {
                 noise.shared_by_time(it, residual) + noise.scatter * residual.scatter_before
@@ -395,14 +397,15 @@ impl<'o, const L: usize> Likelihood<'o, L> {
         let scatter_share = by_scatter / diagonal;
         let factor = next_factor([second, first, diagonal], self.factors);
         let [second, first, variance] = factor;
-        let predicted = first * self.believed[0] + second * self.believed[1];
+        // Forward substitution: row of L times the innovations before, where an outlier z is bounded to z/(1 + (z/3)^4).
+        let predicted = first * self.bounded[0] + second * self.bounded[1];
         let innovation = residual.value - predicted;
         let square = innovation * innovation / variance;
         let tail = Tail::of(scatter_share);
         self.densities = self.densities + tail.log_density(square);
         self.widths.multiply(variance * tail.width());
         let excess = square * (1.0 / (OUTLIER_SDS * OUTLIER_SDS));
-        self.believed = [innovation / (excess * excess + 1.0), self.believed[0]];
+        self.bounded = [innovation / (excess * excess + 1.0), self.bounded[0]];
         self.factors = [factor, self.factors[0]];
         self.before = [Some(*residual), self.before[0]];
         Step {
@@ -421,9 +424,9 @@ impl<'o, const L: usize> Likelihood<'o, L> {
     }
 }
 
-/// A product of many factors, as its logarithm: a logarithm for each of them would take longer.
+/// The logarithm of a product of many factors: a logarithm for each of them would take longer.
 struct Product<const L: usize> {
-    /// What is not yet in the sum, and of how many factors.
+    /// The product that is not yet in the sum, and the number of all factors so far.
     factors: Lanes<L>,
     count: usize,
     log: Lanes<L>,
