@@ -1,6 +1,6 @@
 //! Impacts: as they were measured, and as sources of sound.
 
-/// An impact as known: of a recording, of a list of times, or set by hand.
+/// An impact as measured: in a recording, in a list of times, or set by hand.
 ///
 /// ```
 /// use bouncelab::Impact;
@@ -14,7 +14,7 @@
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[non_exhaustive]
 pub struct Impact {
-    /// Number, 1 for the first impact known; a missed impact leaves a gap.
+    /// Number, 1 for the first impact; a missed impact leaves a gap.
     pub number: usize,
     /// Time in seconds.
     pub time_s: f64,
@@ -28,7 +28,7 @@ pub struct Impact {
 }
 
 impl Impact {
-    /// An impact known by its number (1 for the first) and time alone.
+    /// An impact with its number (1 for the first) and time alone.
     pub const fn new(number: usize, time_s: f64) -> Self {
         Self {
             number,

@@ -40,7 +40,7 @@ pub struct NumberedFlight {
 /// The straight line through log flight time against bounce number, and what follows from it.
 ///
 /// Intervals are those of Student's t with as many degrees of freedom as there are flights beyond two;
-/// with two flights the line is exact and nothing says how certain it is.
+/// with two flights the line is exact and its uncertainty unknown.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -57,7 +57,7 @@ pub struct LogLinearFit {
     pub r_squared: Option<f64>,
     /// Coefficient of restitution e = 10^a (Eq. 6).
     ///
-    /// Noise can put it above 1, where it says that the flights do not shrink.
+    /// With noise it can exceed 1, as if flights got longer.
     pub restitution: Estimate,
     /// Drop height h₀ = g (10^b)²/8 in m (Eq. 6; printed in the paper without the square).
     pub drop_height_m: Estimate,

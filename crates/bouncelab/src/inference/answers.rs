@@ -44,7 +44,7 @@ impl Answers {
         if rows.len() != posterior.draws.len() || rows.is_empty() {
             return None;
         }
-        let column = |place: usize| rows.iter().map(|(_, row)| row[place]).collect();
+        let column = |index: usize| rows.iter().map(|(_, row)| row[index]).collect();
         Some(Self {
             at_speed_m_s,
             points: rows.iter().map(|(point, _)| *point).collect(),
@@ -272,7 +272,7 @@ fn predictions(posterior: &SampledPosterior, reach: &[ApexTarget]) -> Vec<Predic
         .collect()
 }
 
-/// Probabilities of numbers of missed impacts, if something tells.
+/// Probabilities of numbers of missed impacts, if a height or a release determines them.
 fn missed_first(posterior: &SampledPosterior) -> Option<Vec<f64>> {
     if !posterior.priors.determine_missed() {
         return None;
@@ -300,24 +300,24 @@ fn terminal_speed(model: &FlightModel, drag_strength: f64) -> Option<f64> {
     Some(speed)
 }
 
-/// What an impact adds, by its place among so many intervals; nothing for the last impact, which no flight follows.
+/// The innovation of an impact, by its index; `None` for the last impact, which no flight follows.
 fn innovation_of(
     innovations: &[Innovation],
     intervals: usize,
-    place: usize,
+    impact: usize,
 ) -> Option<&Innovation> {
-    let innovation = innovations.iter().rfind(|it| it.impact == place);
-    innovation.filter(|_| place < intervals)
+    let innovation = innovations.iter().rfind(|it| it.impact == impact);
+    innovation.filter(|_| impact < intervals)
 }
 
 /// The weight of each impact detected in the fit.
 fn weights(posterior: &SampledPosterior, innovations: &[Innovation]) -> Vec<f64> {
     let intervals = posterior.observed().intervals.len();
-    let weight = |place| innovation_of(innovations, intervals, place).map_or(1.0, |it| it.weight);
+    let weight = |impact| innovation_of(innovations, intervals, impact).map_or(1.0, |it| it.weight);
     (0..=intervals).map(weight).collect()
 }
 
-/// The impacts detected, with what each did to the speed and the energy of the ball.
+/// The impacts detected, with the changes of speed and energy at each.
 fn detected(
     posterior: &SampledPosterior,
     drops: &[DrawnDrop],
@@ -331,10 +331,10 @@ fn detected(
     let intervals = &posterior.observed().intervals;
     let impacts = posterior.observed().impacts.iter().enumerate();
     impacts
-        .filter_map(|(place, impact)| {
-            let launches = intervals.get(place).is_some();
-            let single = intervals.get(place).is_some_and(|s| s.flights == 1);
-            let innovation = innovation_of(innovations, intervals.len(), place);
+        .filter_map(|(index, impact)| {
+            let launches = intervals.get(index).is_some();
+            let single = intervals.get(index).is_some_and(|s| s.flights == 1);
+            let innovation = innovation_of(innovations, intervals.len(), index);
             let energy =
                 |faster: f64, slower: f64| 0.5 * mass_kg * (faster * faster - slower * slower);
             let when = |possible: bool, value: &dyn Fn(&DropState) -> f64| {
@@ -344,19 +344,19 @@ fn detected(
                     None
                 }
             };
-            let before = |state: &DropState| state.impact_speeds[place];
-            let after = |state: &DropState| state.launch_speeds[place];
+            let before = |state: &DropState| state.impact_speeds[index];
+            let after = |state: &DropState| state.launch_speeds[index];
             Some(ImpactPosterior {
                 number: impact.number,
                 impact_speed_m_s: when(true, &before)?,
                 restitution: when(launches, &|state| after(state) / before(state)),
-                apex_m: when(launches, &|state| state.apexes_m[place]),
+                apex_m: when(launches, &|state| state.apexes_m[index]),
                 lost_to_surface_j: when(launches, &|state| energy(before(state), after(state))),
                 lost_to_air_j: when(single, &|state| {
-                    energy(after(state), state.impact_speeds[place + 1])
+                    energy(after(state), state.impact_speeds[index + 1])
                 }),
                 standardised_residual: innovation.map(|i| i.standardised),
-                weight: weights[place],
+                weight: weights[index],
             })
         })
         .collect()

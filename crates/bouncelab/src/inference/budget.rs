@@ -1,8 +1,10 @@
 //! The uncertainty budget, in the form of the GUM.
 //!
-//! At the best fit the estimate is a linear function of everything that went into it: the errors of
-//! the times, the scatter of the impacts, and each prior, which is an input like any other. So its
-//! variance is a sum over sources, and each source has a share (JCGM 100:2008, clause 5).
+//! At the best fit the estimate is a linear function of its inputs: the errors of the times, the scatter of the
+//! impacts, and each prior, which is an input like any other. With the derivatives J of the residuals, their covariance C
+//! and the prior information P, the unknowns have the covariance V = (J' C⁻¹ J + P)⁻¹ and the gain G = V J' C⁻¹. A
+//! quantity with the gradient g has the variance g' G Cₛ G' g by the part Cₛ of C that is due to a source, and (g' V)² by
+//! a prior of unit variance. So its variance is a sum over sources (JCGM 100:2008, clause 5).
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
@@ -15,7 +17,7 @@ use super::unknowns::{Model, Slot};
 use crate::simd::Lanes;
 use crate::stats::sort_by_number;
 
-/// What one source adds to the uncertainty of a quantity.
+/// The contribution of one source to the uncertainty of a quantity.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -23,7 +25,7 @@ use crate::stats::sort_by_number;
 pub struct Share {
     /// The source: a stable name.
     pub source: &'static str,
-    /// The standard uncertainty that it alone would leave, in the unit of the quantity.
+    /// The standard uncertainty by this source alone, in the unit of the quantity.
     pub sd: f64,
     /// Its share of the variance, from 0 to 1.
     pub share: f64,
@@ -35,15 +37,15 @@ pub struct Share {
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[non_exhaustive]
 pub struct Budget {
-    /// Of the restitution at the stated speed.
+    /// Of the restitution at the reported speed.
     pub restitution: Vec<Share>,
     /// Of the drop height, m.
     pub drop_height_m: Vec<Share>,
 }
 
 /// The budget at the best fit of the best model; what differs between models and between numbers of
-/// missed impacts comes from all of them, by the restitution and the height of each draw. `None` if the fit is too odd
-/// to be taken apart.
+/// missed impacts comes from all of them, by the restitution and the height of each draw. `None` if the fit is
+/// not a maximum.
 pub(super) fn budget(
     posterior: &SampledPosterior,
     at_speed_m_s: f64,
@@ -74,7 +76,7 @@ pub(super) fn budget(
 struct Linear {
     /// Covariance of the unknowns.
     covariance: DMatrix<f64>,
-    /// What one unit of each residual moves the unknowns by.
+    /// Change of the unknowns for one unit of each residual.
     gain: DMatrix<f64>,
     by_time: Banded<1>,
     by_scatter: Banded<1>,
@@ -130,7 +132,7 @@ impl Linear {
         sources
     }
 
-    /// The same for the inputs that other drops of the ball share: they do not average out.
+    /// Variance by the inputs that other drops of the ball share: they do not average out.
     fn inputs(&self, gradient: &DVector<f64>, model: &Model) -> Vec<(&'static str, f64)> {
         // A prior with unit variance moves the unknowns by its column of the covariance.
         let response = &self.covariance * gradient;

@@ -21,7 +21,7 @@ use crate::restitution::LawKind;
 use crate::stats::sort_by_number;
 use crate::train::LN_MISSED;
 
-/// One explanation of a drop and how it fared.
+/// A model of the drop, with its fit, its evidence and its sample.
 #[derive(Debug, Clone)]
 pub(super) struct Candidate {
     pub(super) law: LawKind,
@@ -31,7 +31,7 @@ pub(super) struct Candidate {
     /// Index of its numbering.
     pub(super) numbering: usize,
     pub(super) fit: Fit,
-    /// From where the coordinate of the restitution counts, if it is sampled in units of the noise.
+    /// Origin of the coordinate of the restitution, if it is sampled in units of the noise.
     pub(super) expected_restitution: Option<ExpectedRestitution>,
     /// Logarithm of prior probability times evidence.
     pub(super) log_evidence: f64,
@@ -46,16 +46,16 @@ pub(super) struct Numbering {
     flights: Vec<TimedFlights>,
 }
 
-/// Everything that the data and the priors say together.
+/// The posterior over all candidates.
 #[derive(Debug, Clone)]
 pub(super) struct SampledPosterior {
-    /// The impacts, numbered as stated and otherwise.
+    /// The impacts, numbered as given and otherwise.
     pub(super) numberings: Vec<Numbering>,
     pub(super) media: Vec<Medium>,
     pub(super) reference: ReferenceSpeed,
     pub(super) priors: Priors,
     pub(super) ball: Ball,
-    /// As stated, with the drag law of the first of the media.
+    /// As given, with the drag law of the first of the media.
     pub(super) environment: Environment,
     /// Most probable first.
     pub(super) candidates: Vec<Candidate>,
@@ -63,7 +63,7 @@ pub(super) struct SampledPosterior {
 }
 
 impl SampledPosterior {
-    /// Fits, samples and weighs every model that the priors admits.
+    /// Fits, samples and weighs every model that the priors admit.
     ///
     /// # Errors
     /// [`Error::CannotInfer`] if no model can explain the times at all, [`Error::OutOfRange`] if the
@@ -203,7 +203,7 @@ impl SampledPosterior {
         )
     }
 
-    /// Leaves of the numberings those that are likely under one law, which stands for all.
+    /// Removes numberings that are unlikely under the first law, which represents all.
     fn keep_likely_numberings(&mut self) {
         if self.numberings.len() == 1 {
             return;
@@ -218,15 +218,15 @@ impl SampledPosterior {
             .collect();
         let best = evidences.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let mut evidences = evidences.into_iter();
-        // Where none makes sense under this law, each may under another.
+        // If none is valid under this law, each may be under another.
         self.numberings.retain(|_| {
             let evidence = evidences.next();
             evidence.is_none_or(|evidence| evidence >= best - PRUNE_BELOW)
         });
     }
 
-    /// The laws to consider. The first stands for all where one must, and others are fitted from there: a power of the
-    /// speed is near most of them.
+    /// The laws to consider. The first represents all where one must, and the searches of others start from its fit: a power
+    /// of the speed is similar to most of them.
     pub(super) fn laws(&self) -> Vec<LawKind> {
         let mut laws = self.priors.laws(self.observed().intervals.len());
         if let Some(power) = laws.iter().position(|&law| law == LawKind::Power) {
@@ -258,7 +258,7 @@ impl SampledPosterior {
         candidates
     }
 
-    /// Fits a model with 0, 1, 2, ... impacts before the first one detected, until more do not help.
+    /// Fits a model with 0, 1, 2, ... impacts before the first one detected, until the evidence falls.
     fn fit_missed(
         &self,
         law: LawKind,
@@ -267,7 +267,7 @@ impl SampledPosterior {
         candidates: &mut Vec<Candidate>,
     ) {
         let most = if self.priors.determine_missed() {
-            most_missed(law, numbering, candidates)
+            max_missed_first(law, numbering, candidates)
         } else {
             0
         };
@@ -304,8 +304,9 @@ impl SampledPosterior {
         }
     }
 
-    /// A start for a fit from those of the same impacts: that of the first law, moved as far as this law lay from it under the
-    /// other drag law. With more impacts missed than before all may differ, so the most probable of some.
+    /// Start of a search by the fits of the same numbering: the fit of the first law, plus the difference between this law and
+    /// the first under the other drag law. With more impacts missed than before everything may differ, so the most probable
+    /// of several starts.
     fn fitted_like(
         &self,
         model: &Model,
@@ -320,7 +321,7 @@ impl SampledPosterior {
         let from = |it: &Candidate| self.start_from(model, it);
         let first = fits().next()?.law;
         let first_here = fit(first, medium, model.missed_first).map(from);
-        // As far from the first law here as another fit of this law from that of the first law beside it.
+        // Fit of the first law here + (fit of this law - fit of the first law) there.
         let moved = |other: &Candidate| {
             let start = first_here.clone()?.into_iter();
             let first_there = from(fit(first, other.medium, other.missed_first)?);
@@ -347,7 +348,7 @@ impl SampledPosterior {
         Some(model.most_probable(starts))
     }
 
-    /// Where a search may begin by the fit of a candidate.
+    /// Start of a search by the fit of a candidate.
     fn start_from(&self, model: &Model, fitted: &Candidate) -> Vec<f64> {
         model.start_from(&self.model(fitted), fitted.fit.vector.as_slice())
     }
@@ -358,7 +359,7 @@ impl SampledPosterior {
             + self.numberings[candidate.numbering].observed.missed() as f64 * LN_MISSED
     }
 
-    /// Forgets the flights, which take as much memory as the draws; a question that comes later makes them again.
+    /// Frees the memory of the flights, which is that of the draws again; they are computed anew when they are needed.
     pub(super) fn forget_flights(&mut self) {
         for medium in &mut self.media {
             medium.flights.forget();
@@ -368,16 +369,16 @@ impl SampledPosterior {
         }
     }
 
-    /// What each impact adds at the best fit of the best candidate.
+    /// The innovations at the best fit of the best candidate.
     pub(super) fn innovations(&self) -> Vec<Innovation> {
         let candidate = &self.candidates[0];
         let model = self.model(candidate);
         let details = model.details(candidate.fit.vector.as_slice());
-        // Where the fit makes no sense there is nothing to report.
+        // A fit that is not valid has none.
         details.map_or_else(Vec::new, |details| details.innovations)
     }
 
-    /// The slowest and the fastest of the impacts that the ball left again, at the best fit of the best candidate, m/s.
+    /// The slowest and the fastest impact that was followed by a flight, at the best fit of the best candidate, m/s.
     pub(super) fn fitted_speeds_m_s(&self) -> Option<[f64; 2]> {
         let candidate = &self.candidates[0];
         let model = self.model(candidate);
@@ -405,9 +406,9 @@ pub(super) fn best_evidence<'a>(candidates: impl IntoIterator<Item = &'a Candida
     evidences.fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// How many missed impacts before the first one detected are to be considered: those that may explain the times under another
-/// drag law, if one has been fitted.
-fn most_missed(law: LawKind, numbering: usize, candidates: &[Candidate]) -> usize {
+/// Maximum number of missed impacts before the first one detected: that which may explain the times under another drag law,
+/// if one has been fitted.
+fn max_missed_first(law: LawKind, numbering: usize, candidates: &[Candidate]) -> usize {
     let alike = |candidate: &&Candidate| candidate.law == law && candidate.numbering == numbering;
     let alike = || candidates.iter().filter(alike);
     let best = best_evidence(alike());

@@ -45,16 +45,16 @@ pub(super) fn diagnostics(
             }),
     );
     // The first innovation belongs to the drop height, and is no impact of its own.
-    let odd: Vec<usize> = innovations
+    let outliers: Vec<usize> = innovations
         .iter()
         .filter(|innovation| innovation.impact > 0 && innovation.weight < OUTLIER_WEIGHT)
         .map(|innovation| impacts[innovation.impact].number)
         .collect();
-    if !odd.is_empty() {
+    if !outliers.is_empty() {
         diagnostics.push(
             Diagnostic::new(Code::ImpactsOdd)
-                .with("count", odd.len())
-                .with("impacts", odd.as_slice()),
+                .with("count", outliers.len())
+                .with("impacts", outliers.as_slice()),
         );
     }
     diagnostics.extend(about_the_height(posterior, innovations));
@@ -79,7 +79,7 @@ pub(super) fn diagnostics(
     diagnostics
 }
 
-/// A diagnostic if restitution scatters far more than the prior says. Few impacts do not overcome a prior, and the
+/// A diagnostic if restitution scatters far more than its prior assumes. Few impacts do not overcome a prior, and the
 /// intervals are too narrow on such a surface (`docs/validation.md`, scenarios).
 pub(super) fn scattered(posterior: &SampledPosterior, scatter: f64) -> Option<Diagnostic> {
     let assumed = posterior.priors.restitution_scatter;

@@ -20,14 +20,14 @@ pub(super) struct Fit {
 }
 
 impl Fit {
-    /// Logarithm of the evidence, were the posterior normal.
+    /// Logarithm of the evidence in Laplace's approximation, as if the posterior were normal.
     pub(super) fn log_laplace_evidence(&self) -> f64 {
         let scaled = &self.covariance * (2.0 * std::f64::consts::PI);
         self.log_posterior + 0.5 * scaled.determinant().ln()
     }
 
-    /// What the unknowns that impacts hardly tell make one expect of the restitution, and its index in the vector. They are
-    /// as independent of each other as before the data.
+    /// The restitution that is expected given the unknowns that impacts hardly determine, and its index in the vector: the
+    /// regression of its logit on each of them. They are as independent of each other as before the data.
     pub(super) fn expected_restitution(
         &self,
         model: &Model,
@@ -44,17 +44,17 @@ impl Fit {
     }
 }
 
-/// A vector on the way to the best fit.
+/// A vector of the search, with the posterior there.
 struct Iterate {
     vector: DVector<f64>,
     log_posterior: f64,
     slope: DVector<f64>,
-    /// The information that is expected there.
+    /// The expected information there.
     expected: Cholesky<f64, Dyn>,
 }
 
 impl Iterate {
-    /// `None` where the vector makes no sense.
+    /// `None` if the vector is not valid.
     fn new(model: &Model, vector: DVector<f64>) -> Option<Self> {
         let Differences {
             point,
@@ -72,7 +72,7 @@ impl Iterate {
         })
     }
 
-    /// The vector after the best part of a step; `None` if none of them leads uphill.
+    /// The vector after the best fraction of a step; `None` if none of them leads uphill.
     fn uphill(&self, model: &Model, step: &DVector<f64>) -> Option<DVector<f64>> {
         let tried = DMatrix::from_fn(step.len(), STEP_FRACTIONS.len(), |unknown, index| {
             self.vector[unknown] + STEP_FRACTIONS[index] * step[unknown]
@@ -85,11 +85,11 @@ impl Iterate {
 }
 
 /// Finds the best fit by Fisher scoring: Newton's method with the expected curvature, which is that of
-/// a least-squares fit with weights (M. R. Osborne, Int. Stat. Rev. 60, 99, 1992), corrected by what the
-/// steps before tell of the real one.
+/// a least-squares fit with weights (M. R. Osborne, Int. Stat. Rev. 60, 99, 1992), corrected by the
+/// real curvature along earlier steps.
 ///
-/// A search that would end below a least log posterior ends early, where it is. `None` if no vector near the start makes
-/// sense.
+/// A search that would end below the log posterior `least` ends early, where it is. `None` if no vector near the start is
+/// valid.
 pub(super) fn best_fit(model: &Model, start: Vec<f64>, least: f64) -> Option<Fit> {
     let mut here = Iterate::new(model, DVector::from_vec(start))?;
     let mut secants = Secants::default();
@@ -129,7 +129,7 @@ pub(super) fn best_fit(model: &Model, start: Vec<f64>, least: f64) -> Option<Fit
     })
 }
 
-/// Steps of a search, each with how much the slope fell along it: they correct an expected curvature (the recursion of
+/// Steps of a search, each with the decrease of the slope along it: they correct an expected curvature (the recursion of
 /// limited-memory BFGS, D. C. Liu and J. Nocedal, Math. Program. 45, 503, 1989; the steps near a maximum are so few
 /// that all are kept).
 #[derive(Default)]
@@ -142,14 +142,15 @@ struct Secant {
 
 impl Secants {
     fn add(&mut self, step: DVector<f64>, fall: DVector<f64>) {
-        // A slope that grows leads to no maximum.
+        // Where the slope grows along a step the posterior is not concave.
         if step.dot(&fall) <= 0.0 {
             return;
         }
         self.0.push(Secant { step, fall });
     }
 
-    /// The step that leads to the maximum by the expected curvature, corrected.
+    /// The step to the maximum by the corrected curvature: the two loops of the recursion, with the expected curvature
+    /// between them.
     fn corrected(&self, expected: &Cholesky<f64, Dyn>, slope: &DVector<f64>) -> DVector<f64> {
         let mut left = slope.clone();
         let mut parts = Vec::with_capacity(self.0.len());
@@ -176,7 +177,7 @@ mod tests {
     use crate::restitution::LawKind;
     use crate::simd::Lanes;
 
-    /// The log posterior there is the one stated, and a step to either side of each unknown leads down.
+    /// The log posterior at the best fit is the one reported, and a step to either side of each unknown leads down.
     #[test]
     fn nothing_around_the_best_fit_is_better() {
         with_model(&impacts(), |model, _| {
@@ -227,8 +228,8 @@ mod tests {
         });
     }
 
-    /// Another law starts with the restitution that the fitted one has at the middle speed, and with its slope if it has one
-    /// to choose, whichever was fitted.
+    /// Another law starts with the restitution of the fitted one at the reference speed, and with its slope if the law has a
+    /// free slope.
     #[test]
     fn another_law_starts_with_the_same_restitution_and_slope() {
         with_model(&impacts(), |linear, vector| {
@@ -259,8 +260,8 @@ mod tests {
         });
     }
 
-    /// After a step the corrected curvature tells how much the slope fell along it (the secant equation), whatever
-    /// was expected; without one it is the expected one.
+    /// After a step the corrected curvature reproduces the decrease of the slope along it (the secant equation), whatever
+    /// was expected; without a step it is the expected one.
     #[test]
     fn a_corrected_step_knows_the_last_one() {
         let expected = Cholesky::new(DMatrix::identity(3, 3)).unwrap();

@@ -5,7 +5,7 @@ use super::parameters::{CONSTANT_REL_SD, MIN_PART_WITH_UNKNOWN};
 use super::unknowns::Slot;
 use crate::stats::{mean, sd};
 
-/// Something that was not known before the data.
+/// An unknown of the inference.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -18,7 +18,7 @@ pub enum Unknown {
     Slope,
     /// The scatter of restitution from impact to impact.
     Scatter,
-    /// The errors of the times, as a factor on those stated.
+    /// The errors of the times, as a factor on those given.
     Timing,
     /// The contact time.
     ContactTime,
@@ -46,9 +46,9 @@ impl Unknown {
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[non_exhaustive]
 pub struct PriorContraction {
-    /// Of what.
+    /// The unknown.
     pub unknown: Unknown,
-    /// Standard deviation after the data over the one before: 1 if they state nothing, 0 if all.
+    /// Standard deviation after the data over the one before: 1 if the data contain no information, 0 if they determine it.
     pub remaining: f64,
 }
 
@@ -77,7 +77,7 @@ pub(super) fn prior_contraction(posterior: &SampledPosterior) -> Vec<PriorContra
                     Some(draw.vector[model.index(slot)?])
                 })
                 .collect();
-            // Too few draws have it: it says nothing of the average.
+            // Too few draws would have it for a summary.
             (MIN_PART_WITH_UNKNOWN * values.len() > posterior.draws.len()).then(|| {
                 PriorContraction {
                     unknown,

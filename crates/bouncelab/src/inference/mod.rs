@@ -5,7 +5,7 @@
 //! neither that the errors of neighbouring flights are linked nor that the impacts themselves
 //! scatter. Here a physical model of the whole drop explains the times: a fall from a height, air
 //! that drags, impacts that obey a restitution law but for scatter, and times with errors. The
-//! unknowns have priors that say what is known of balls and ambient conditions ([`Priors`]), and the
+//! unknowns have priors with the usual knowledge of balls and ambient conditions ([`Priors`]), and the
 //! answer is the posterior over all of them and over all laws that may be true.
 //!
 //! ```
@@ -37,7 +37,7 @@
 //!
 //! For each restitution law, drag law and number of impacts missed before the first one detected, the
 //! best fit is found by quasi-Newton search, and the posterior around it by importance sampling;
-//! the Pareto shape of the weights says whether that worked. The evidence of each model is its
+//! the Pareto shape of the weights shows whether that worked. The evidence of each model is its
 //! weight in the average. The likelihood is that of two kinds of noise, errors of the times and
 //! scatter of the impacts, with their banded covariance and the Jacobian from times to speeds, in
 //! one pass over the impacts.
@@ -90,14 +90,14 @@ use candidates::SampledPosterior;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct InferenceOptions {
-    /// The impact speed at which to state the restitution, m/s; if `None`, the middle of those
-    /// detected, where it is known best.
+    /// The impact speed at which to state the restitution, m/s; if `None`, the geometric
+    /// mean of those detected, where it is known best.
     pub at_speed_m_s: Option<f64>,
     /// From which height does the flight after a bounce (1 for the first) rise to an apex, in m?
     pub reach: Vec<ApexTarget>,
     /// How much to compute.
     pub sampler: SamplerConfig,
-    /// Whether to say what each impact and flight did, and how long the ball bounces until it rests. A drop that is only
+    /// Whether to summarise each impact and flight, and the time until the ball rests. A drop that is only
     /// compared with others needs neither, and its inference takes a third less time: [`Posterior::impacts`] is empty then,
     /// and time and path until rest are unknown.
     #[cfg_attr(feature = "serde", serde(skip, default = "each_impact"))]
@@ -133,7 +133,7 @@ pub struct ApexTarget {
     pub apex_m: f64,
 }
 
-/// The answer to a [`ApexTarget`].
+/// The answer to an [`ApexTarget`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -146,7 +146,7 @@ pub struct Prediction {
     pub drop_height_m: Option<Estimate>,
 }
 
-/// Infers everything that the times of one drop can tell. The [module](self) has an example.
+/// Infers everything that the times of one drop determine. The [module](self) has an example.
 ///
 /// # Errors
 ///
@@ -195,7 +195,7 @@ pub struct BestFit {
     pub drag_scale: f64,
 }
 
-/// The best fit alone: a hundred times faster than [`infer`], for those who watch while it bounces.
+/// The best fit alone: a hundred times faster than [`infer`], for displays while the ball bounces.
 ///
 /// It takes the first restitution law of the priors (constant if it names none) and the drag law
 /// of the environment, and every impact from the first one detected.

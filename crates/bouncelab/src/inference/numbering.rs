@@ -102,7 +102,7 @@ fn neighbours(numbering: &Numbering) -> Vec<Vec<usize>> {
     neighbours
 }
 
-/// Minus the logarithm of the prior probability of the missed impacts in so many flights.
+/// Minus the logarithm of the prior probability of the missed impacts in this number of flights.
 fn missed_cost(flights: usize) -> f64 {
     -LN_MISSED * (flights - 1) as f64
 }

@@ -1,4 +1,4 @@
-//! An order of draws in which neighbours are alike, so that every so many of them represent all.
+//! An order of draws in which neighbours are alike, so that one of every n represents all.
 
 use nalgebra::DMatrix;
 
@@ -31,20 +31,20 @@ pub(super) fn order(vectors: &DMatrix<f64>, weights: &[f64], unknowns: &[usize])
 }
 
 impl Draws<'_> {
-    /// Sorts draws into those below and above the mean of the unknown that varies most among them, and so on on
-    /// either side.
+    /// Sorts draws into those below and above the mean of the unknown that varies most among them, and each side in the
+    /// same way.
     fn sort_into_sides(&self, draws: &mut [usize]) {
-        let (mut widest, mut middle, mut greatest) = (0, f64::NAN, f64::NEG_INFINITY);
+        let (mut widest, mut centre, mut greatest) = (0, f64::NAN, f64::NEG_INFINITY);
         for (&unknown, all) in self.unknowns.iter().zip(&self.variances) {
             let (mean, variance) = self.mean_and_variance(draws, unknown);
             if variance / all > greatest {
-                (widest, middle, greatest) = (unknown, mean, variance / all);
+                (widest, centre, greatest) = (unknown, mean, variance / all);
             }
         }
         let mut below = 0;
-        for place in 0..draws.len() {
-            if self.vectors[(widest, draws[place])] < middle {
-                draws.swap(place, below);
+        for index in 0..draws.len() {
+            if self.vectors[(widest, draws[index])] < centre {
+                draws.swap(index, below);
                 below += 1;
             }
         }

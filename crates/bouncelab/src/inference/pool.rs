@@ -39,9 +39,9 @@ impl Default for SamplerConfig {
 }
 
 impl SamplerConfig {
-    /// Random numbers of a candidate alone, so that none depends on what others took nor on its rank, which a
-    /// last digit can change. Its stream follows from the name of its law, not from the index of the law in the list. The
-    /// first stream of the seed is left for their pool.
+    /// One stream of random numbers for each candidate, so that its draws depend neither on the draws of others nor on its
+    /// rank, which a last digit can change. The stream follows from the name of its law, not from the position of the law in
+    /// the list. The first stream of the seed is that of the pool.
     fn rng_of(&self, candidate: &Candidate) -> ChaCha8Rng {
         let choices = [
             candidate.law.random_stream(),
@@ -68,7 +68,7 @@ pub(super) struct Draw<'a> {
 /// Equally likely draws, one after the other: a recording may have a million of them.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Pool {
-    /// The candidate of each, and where its vector ends among the values.
+    /// The candidate of each draw, and the end of its vector in the values.
     draws: Vec<(u32, u32)>,
     values: Vec<f64>,
 }
@@ -102,7 +102,7 @@ impl Pool {
 }
 
 impl SampledPosterior {
-    /// Samples the candidates that matter, weighs them by their evidence and pools their draws.
+    /// Samples the relevant candidates, weighs them by their evidence and pools their draws.
     pub(super) fn sample(&mut self, sampler: &SamplerConfig) {
         let best = best_evidence(&self.candidates);
         let mut candidates = std::mem::take(&mut self.candidates);
@@ -112,7 +112,7 @@ impl SampledPosterior {
             if candidate.log_evidence < best - PRUNE_BELOW {
                 continue;
             }
-            self.count_restitution_in_noise(candidate);
+            self.scale_restitution_by_noise(candidate);
             let model = self.model(candidate);
             let draws = (sampler.draws as f64 * candidate.weight) as usize;
             let sample = sample::sample(
@@ -134,9 +134,8 @@ impl SampledPosterior {
         }
     }
 
-    /// Fits a candidate again with a restitution that counts in units of the noise, where so few impacts show one that the
-    /// noise is hardly known.
-    fn count_restitution_in_noise(&self, candidate: &mut Candidate) {
+    /// Fits a candidate again with a restitution in units of the noise, if there are too few impacts to determine the noise.
+    fn scale_restitution_by_noise(&self, candidate: &mut Candidate) {
         let model = self.model(candidate);
         let observed = model.observed;
         if observed.restitutions() < 2 || observed.intervals.len() >= MANY_FLIGHTS {
@@ -154,9 +153,10 @@ impl SampledPosterior {
         }
     }
 
-    /// Equally likely draws from all samples, by systematic resampling: one random number places a
-    /// comb over the weights. Each tooth takes one of a few draws that are alike, so the answers scatter less
-    /// over seeds than in the order drawn (M. Gerber, N. Chopin and N. Whiteley, Ann. Stat. 47, 2236, 2019).
+    /// Equally likely draws from all samples, by systematic resampling: the weights
+    /// are added up in an order in which neighbours are alike, and a draw is taken at each of a number of equal distances from
+    /// a random start. So the answers scatter less over seeds than in the order drawn (M. Gerber, N. Chopin and N. Whiteley,
+    /// Ann. Stat. 47, 2236, 2019).
     fn pooled(&self, sampler: &SamplerConfig) -> Pool {
         let draws = sampler.draws;
         let sampled: f64 = self
@@ -166,8 +166,8 @@ impl SampledPosterior {
             .map(|candidate| candidate.weight)
             .sum();
         let offset: f64 = ChaCha8Rng::seed_from_u64(sampler.seed).random();
-        let tooth = sampled / draws as f64;
-        let mut next = offset * tooth;
+        let distance = sampled / draws as f64;
+        let mut next = offset * distance;
         let mut sum = 0.0;
         let mut pooled = Pool {
             draws: Vec::with_capacity(draws),
@@ -182,7 +182,7 @@ impl SampledPosterior {
                 sum += candidate.weight * sample.weights[draw];
                 while next < sum && pooled.len() < draws {
                     pooled.push(index, sample.vectors.column(draw).iter().copied());
-                    next += tooth;
+                    next += distance;
                 }
             }
         }
@@ -190,15 +190,14 @@ impl SampledPosterior {
         pooled
     }
 
-    /// How far the weights of the sampling can be trusted: the worst Pareto shape of a candidate
-    /// that matters.
+    /// Whether the weights of the sampling can be trusted: the largest Pareto shape of the relevant candidates.
     pub(super) fn pareto_shape(&self) -> f64 {
         let weights = self.candidates.iter().map(|candidate| candidate.weight);
-        // Of many that are alike none may be so probable, but they do matter.
-        let matters = weights.fold(0.0, f64::max).min(RELEVANT_WEIGHT);
+        // Among many similar candidates none may be as probable, but they are relevant.
+        let relevant = weights.fold(0.0, f64::max).min(RELEVANT_WEIGHT);
         self.candidates
             .iter()
-            .filter(|candidate| candidate.weight >= matters)
+            .filter(|candidate| candidate.weight >= relevant)
             .map(|candidate| match &candidate.sample {
                 Some(sample) => sample.pareto_shape,
                 None => f64::INFINITY,
@@ -211,7 +210,7 @@ impl SampledPosterior {
         !self.draws.is_empty() && self.pareto_shape() < MAX_PARETO_SHAPE
     }
 
-    /// Independent draws that would say as much as those made.
+    /// Number of independent draws with the same information.
     pub(super) fn effective_draws(&self) -> f64 {
         // The pool is a mixture: its variance is the sum over candidates of weight² / effective.
         let variance: f64 = self
@@ -225,8 +224,7 @@ impl SampledPosterior {
         1.0 / variance
     }
 
-    /// The drops that every so many of the draws say the times tell, by the points that all draws stand for; none
-    /// if one of them makes no sense.
+    /// Whole drops for one of every [`THINNING`] draws, given the points of all draws; none if one of them is not valid.
     pub(super) fn drops(&self, points: &[Point]) -> Vec<DrawnDrop> {
         let draws = self.draws.iter().zip(points).step_by(THINNING);
         let chosen: Vec<(usize, Point)> = draws
@@ -244,9 +242,9 @@ impl SampledPosterior {
             let Some(states) = drawn_states(&model, &points, &mut futures) else {
                 return Vec::new();
             };
-            let on_the_way = points.iter().zip(&states).zip(futures);
-            let on_the_way = on_the_way.map(|((point, state), future)| (*point, state, future));
-            let rests = predict::until_rest(&model, on_the_way);
+            let drawn = points.iter().zip(&states).zip(futures);
+            let bouncing = drawn.map(|((point, state), future)| (*point, state, future));
+            let rests = predict::until_rest(&model, bouncing);
             drops.extend(
                 states
                     .into_iter()
@@ -257,7 +255,7 @@ impl SampledPosterior {
         drops
     }
 
-    /// The restitution laws of every so many of the draws.
+    /// The restitution laws of one of every `every` draws.
     pub(super) fn laws_drawn(&self, every: usize) -> impl Iterator<Item = Restitution> {
         let models = self.models();
         let draws = self.draws.iter().step_by(every);
@@ -267,7 +265,7 @@ impl SampledPosterior {
         })
     }
 
-    /// Works out a value for each of the draws, or for every so many of them.
+    /// A value for one of every `every` draws.
     pub(super) fn each<T>(
         &self,
         every: usize,
@@ -275,21 +273,21 @@ impl SampledPosterior {
     ) -> Vec<T> {
         let models = self.models();
         let draws: Vec<Draw> = self.draws.iter().step_by(every.max(1)).collect();
-        let mut found = Vec::with_capacity(draws.len());
+        let mut values = Vec::with_capacity(draws.len());
         for alike in draws.chunk_by(|one, other| one.candidate == other.candidate) {
             let model = &models[alike[0].candidate];
             for group in alike.chunks(LANES) {
                 let draws: [Draw; LANES] = one_for_each_lane(group);
                 let points = model.points(&draws.map(|draw| draw.vector)).into_iter();
                 let points = points.take(group.len()).flatten();
-                found.extend(points.filter_map(|point| value(model, &point)));
+                values.extend(points.filter_map(|point| value(model, &point)));
             }
         }
-        found
+        values
     }
 }
 
-/// One draw as the drop that it says the times tell.
+/// A draw of the whole drop.
 #[derive(Debug, Clone)]
 pub(super) struct DrawnDrop {
     pub(super) state: DropState,
@@ -297,7 +295,7 @@ pub(super) struct DrawnDrop {
     pub(super) rest: Option<Rest>,
 }
 
-/// A drop for each point, with the random numbers of its future; `None` where one of them makes no sense.
+/// A drop for each point, with the random numbers of its future; `None` if one of the points is not valid.
 fn drawn_states(model: &Model, points: &[Point], futures: &mut [Future]) -> Option<Vec<DropState>> {
     let mut states = Vec::with_capacity(points.len());
     for (points, futures) in points.chunks(LANES).zip(futures.chunks_mut(LANES)) {

@@ -12,7 +12,7 @@ use crate::drag::DragLaw;
 use crate::estimate::Estimate;
 use crate::restitution::LawKind;
 
-/// What the times of one drop say, all priors and models considered.
+/// The posterior of one drop, over all models.
 #[derive(Debug, Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -48,7 +48,7 @@ pub struct Posterior {
     /// Path from the release until the ball rests, m.
     pub total_path_m: Option<Estimate>,
     /// Probabilities of 0, 1, 2, ... impacts before the first one detected, if a height or a release
-    /// time tells.
+    /// time was given.
     pub missed_first_impacts: Option<Vec<f64>>,
     /// The answers to [`InferenceOptions::reach`](super::InferenceOptions::reach).
     pub predictions: Vec<Prediction>,
@@ -106,14 +106,14 @@ pub struct ImpactPosterior {
     pub lost_to_surface_j: Option<Estimate>,
     /// Energy the air took in the flight after it, J.
     pub lost_to_air_j: Option<Estimate>,
-    /// How far it lies from what the impacts before it foretold, in standard deviations; unknown
+    /// Deviation from the prediction by the impacts before it, in standard deviations; unknown
     /// for the last.
     pub standardised_residual: Option<f64>,
-    /// Its weight in the fit: 1 for an impact as good as any, near 0 for an odd one.
+    /// Its weight in the fit: 1 for an impact as good as any, near 0 for an outlier.
     pub weight: f64,
 }
 
-/// A model and how it fared.
+/// A model with its probability and its results.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -181,7 +181,7 @@ pub struct BandPoint {
 }
 
 impl ImpactPosterior {
-    /// Whether it is so odd that it counts little in the fit.
+    /// Whether it is an outlier, which has little weight in the fit.
     pub fn is_outlier(&self) -> bool {
         self.weight < OUTLIER_WEIGHT
     }
@@ -197,8 +197,8 @@ impl Posterior {
     /// if none of this number was detected.
     pub fn weight(&self, number: usize) -> Option<f64> {
         let mut impacts = self.sampled.observed().impacts.iter();
-        let place = impacts.position(|it| it.number == number)?;
-        self.weights.get(place).copied()
+        let index = impacts.position(|it| it.number == number)?;
+        self.weights.get(index).copied()
     }
 
     /// The restitution law at a speed, m/s.
@@ -272,13 +272,13 @@ impl Posterior {
         let laws = self.sampled.laws_drawn(THINNING);
         let draws: Vec<Vec<f64>> = laws.map(|law| law.at_each(speeds_m_s)).collect();
         (0..speeds_m_s.len())
-            .map(|place| Estimate::of_draws(draws.iter().map(|draw| draw[place])))
+            .map(|index| Estimate::of_draws(draws.iter().map(|draw| draw[index])))
             .collect()
     }
 
     /// What of the standard uncertainty of the restitution at these speeds, m/s, comes from inputs
     /// that other drops of the ball share (drag law, contact time, air, gravity, mass, diameter), and
-    /// so does not average out over drops. `None` if the fit is too odd to be taken apart.
+    /// so does not average out over drops. `None` if the fit is not a maximum.
     pub fn shared_sd(&self, speeds_m_s: &[f64]) -> Option<Vec<f64>> {
         budget::shared_sd(&self.sampled, speeds_m_s)
     }

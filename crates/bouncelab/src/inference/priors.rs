@@ -18,11 +18,11 @@ pub struct Measured {
     pub sd: f64,
 }
 
-/// What the person knows besides the sounds.
+/// Measurements and prior knowledge besides the times.
 ///
 /// The shares are relative standard uncertainties: 0.01 is one per cent, 0 is exact, and
-/// [`UNKNOWN`] leaves it to the data. They are the priors of the inference; the defaults say what
-/// one knows of a ball and of ambient conditions that nobody has measured.
+/// [`UNKNOWN`] leaves it to the data. They are the priors of the inference; the defaults are those of a ball
+/// and of ambient conditions that were not measured.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -36,8 +36,8 @@ pub struct Priors {
     pub first_was_detected: bool,
     /// Restitution laws to consider; if empty, all.
     pub restitution_laws: Vec<LawKind>,
-    /// Whether to consider a constant drag coefficient too, beside a law of the Reynolds number: what
-    /// the law says at the fastest impact detected.
+    /// Whether to consider a constant drag coefficient too, besides a law of the Reynolds number: what
+    /// the law gives at the fastest impact detected.
     pub constant_drag_too: bool,
     /// Drag coefficient: how far a real ball may lie from the law. The laws of smooth spheres
     /// scatter by about 3 % at Reynolds numbers of 1,000 to 10,000; 4 % allows for a ball.
@@ -50,7 +50,7 @@ pub struct Priors {
     pub mass_rel_sd: f64,
     /// Diameter of the ball.
     pub diameter_rel_sd: f64,
-    /// Added mass of the air: potential flow says half the volume, a bouncing ball is no potential
+    /// Added mass of the air: in potential flow it is half the volume, but a bouncing ball is no potential
     /// flow.
     pub added_mass_rel_sd: f64,
     /// Contact time.
@@ -94,7 +94,7 @@ impl Default for Priors {
 }
 
 impl Priors {
-    /// What the rules of its sport say of a ball, and what is known of ambient conditions.
+    /// The tolerances of a ball by the rules of its sport, and the usual ambient conditions.
     ///
     /// ```
     /// use bouncelab::ball;
@@ -114,14 +114,13 @@ impl Priors {
         }
     }
 
-    /// The scatter of restitution that lies so many standard deviations above the middle of its prior, if that is mapped
-    /// to a normal distribution.
+    /// The scatter of restitution at a standard normal: its prior mapped to a normal distribution.
     ///
     /// ```
     /// use bouncelab::inference::Priors;
     ///
-    /// let [low, middle, high] = [-2.0, 0.0, 2.0].map(|normal| Priors::default().scatter_at(normal));
-    /// assert_eq!(middle, 0.006);
+    /// let [low, median, high] = [-2.0, 0.0, 2.0].map(|normal| Priors::default().scatter_at(normal));
+    /// assert_eq!(median, 0.006);
     /// assert!(low > 0.001 && high < 0.07);
     /// ```
     pub fn scatter_at(&self, normal: f64) -> f64 {
@@ -170,14 +169,14 @@ impl Priors {
         diagnostics
     }
 
-    /// The laws to consider for so many intervals between impacts, each once: a law asked for twice is
+    /// The laws to consider for this number of intervals between impacts, each once: a law requested twice is
     /// no more probable.
     pub(super) fn laws(&self, intervals: usize) -> Vec<LawKind> {
         let asked = &self.restitution_laws;
         let mut laws = LawKind::ALL.to_vec();
         if asked.is_empty() {
-            // One interval shows no restitution at all. A few do not tell the laws apart, and so no law may be left
-            // out: the impacts that no interval shows, as the first, may follow any of them.
+            // One interval shows no restitution at all. A few do not distinguish the laws, so none may be left
+            // out: the impacts that no interval shows, such as the first, may follow any of them.
             laws.retain(|law| *law == LawKind::Constant || intervals > 1);
         } else {
             laws.retain(|law| asked.contains(law));
@@ -185,17 +184,17 @@ impl Priors {
         laws
     }
 
-    /// Whether something would show impacts missed before the first one detected.
+    /// Whether the given quantities determine the number of impacts missed before the first one detected.
     pub(super) fn determine_missed(&self) -> bool {
         let state = self.drop_height_m.is_some() || self.release_s.is_some();
         state && !self.first_was_detected && self.gravity_rel_sd < UNKNOWN
     }
 
-    /// Whether all of it makes sense.
+    /// Checks all values.
     ///
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) for a height or an uncertainty that is not
-    /// above zero, a share below zero, or a number that is none.
+    /// above zero, a share below zero, or not-a-number.
     pub fn check(&self) -> Result<()> {
         if let Some(height) = self.drop_height_m {
             positive(Quantity::Height, height.value)?;

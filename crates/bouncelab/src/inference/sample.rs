@@ -5,7 +5,7 @@
 //! fit, it corrects centre and shape. The draws are those of a scrambled Sobol sequence: each of them is as
 //! random as any, but together they cover the distribution more evenly than independent ones, so that fewer
 //! do (A. Owen, Ann. Stat. 25, 1541, 1997). The largest weights are smoothed by the generalised
-//! Pareto distribution that their tail follows, whose shape k tells whether the weights can be
+//! Pareto distribution that their tail follows, whose shape k shows whether the weights can be
 //! trusted at all (A. Vehtari et al., Pareto smoothed importance sampling, JMLR 25, 2024).
 
 use std::array;
@@ -34,7 +34,7 @@ pub(super) struct Sample {
     pub(super) vectors: DMatrix<f64>,
     /// Weights, which add up to one.
     pub(super) weights: Vec<f64>,
-    /// How many independent draws would say as much.
+    /// Number of independent draws with the same information.
     pub(super) effective_draws: f64,
     /// Logarithm of the evidence, but for a constant that all models of the same data share.
     pub(super) log_evidence: f64,
@@ -43,7 +43,7 @@ pub(super) struct Sample {
 }
 
 impl Sample {
-    /// Whether its weights can be trusted more; of two that can be trusted, whether it says more.
+    /// Whether its weights can be trusted more; if both can be trusted, whether it has more effective draws.
     fn is_better_than(&self, other: &Self) -> bool {
         if self.pareto_shape.max(other.pareto_shape) < DOUBTFUL_SHAPE {
             self.effective_draws > other.effective_draws
@@ -52,7 +52,7 @@ impl Sample {
         }
     }
 
-    /// Keeps only how good the draws were; they take a megabyte.
+    /// Frees the memory of the draws, a megabyte; what they were worth remains.
     pub(super) fn forget_draws(&mut self) {
         self.vectors = DMatrix::zeros(0, 0);
         self.weights = Vec::new();
@@ -136,7 +136,7 @@ impl Proposal {
     }
 }
 
-/// So many coordinates of points of a scrambled Sobol sequence, by their numbers, each above 0 and below 1.
+/// Coordinates of points of a scrambled Sobol sequence, by the numbers of the points, each above 0 and below 1.
 #[cfg_attr(not(target_family = "wasm"), inline(always))]
 fn coordinates<const L: usize>(numbers: [u32; L], seed: u32, dimensions: usize) -> Vec<Lanes<L>> {
     /// As many points as a sequence has; those beyond belong to another.
@@ -220,8 +220,8 @@ fn log_gamma(x: f64) -> f64 {
     }
 }
 
-/// Draws from the posterior around a best fit, about as many as count as so many independent ones;
-/// `None` if no draw makes sense.
+/// Draws from the posterior around a best fit, about as many as give this number of effective draws;
+/// `None` if no draw is valid.
 pub(super) fn sample(
     model: &Model,
     fit: &Fit,
@@ -282,7 +282,7 @@ impl Drawn {
         }
     }
 
-    /// Draws until there are so many.
+    /// Continues the draws up to this number.
     fn draw_until(&mut self, draws: usize, model: &Model, proposal: &Proposal) {
         let known = self.log_weights.len();
         let mut vectors = DMatrix::zeros(proposal.centre.len(), draws - known);
@@ -293,7 +293,7 @@ impl Drawn {
         self.vectors.extend_from_slice(vectors.as_slice());
     }
 
-    /// The sample that they are; `None` if none of them makes sense.
+    /// The draws with their weights; `None` if none of them is valid.
     fn weighed(&self, proposal: &Proposal) -> Option<Sample> {
         let draws = self.log_weights.len();
         let greatest = self
@@ -321,7 +321,7 @@ impl Drawn {
     }
 }
 
-/// How many independent draws would say as much as draws with these weights, which add up to one
+/// Number of independent draws with the same information as draws with these weights, which add up to one
 /// (L. Kish, Survey Sampling, 1965).
 fn effective_draws(weights: &[f64]) -> f64 {
     let squares: f64 = weights.iter().map(|weight| weight * weight).sum();

@@ -6,7 +6,8 @@ use rand_distr::{Distribution, StandardNormal};
 use super::parameters::{MAX_FREEDOM, SCATTER_EXPONENTIALS, SCATTER_FREEDOM};
 use crate::simd::Lanes;
 
-/// Deviations of restitution, in units of the scatter, each from the random numbers of its lane, if it has any.
+/// Deviations of ln e in units of the scatter: one in each lane with random numbers. Student's t is a normal variable over
+/// the root of a chi-squared one, here scaled to variance one.
 pub(super) fn draw<const L: usize>(random: [Option<&mut impl Rng>; L]) -> Lanes<L> {
     let [mut normals, mut products] = [Lanes::all(0.0), Lanes::all(0.5)];
     for (lane, rng) in random.into_iter().enumerate() {
@@ -58,8 +59,7 @@ impl<const L: usize> Tail<L> {
         self.per_freedom * -2.0 + 1.0
     }
 
-    /// Weight in the fit: what is left of the pull of the deviation, against a normal distribution;
-    /// 1 in the middle.
+    /// Weight in the fit: the derivative of the log density over that of a normal distribution; 1 near zero.
     pub(super) fn weight(&self, square: Lanes<L>) -> Lanes<L> {
         ((self.freedom + 1.0) / (self.freedom - 2.0 + square)).min(1.0)
     }

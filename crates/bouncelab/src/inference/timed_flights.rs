@@ -1,9 +1,9 @@
-//! The flights between the impacts detected, whose durations the times tell.
+//! The flights between the impacts detected, given their durations.
 //!
-//! The inference asks for the same few flights under thousands of slightly different drags, gravities and
-//! contact times. Without drag a flight that lasts T starts and ends at g T/2; what drag makes of that changes
-//! little, and smoothly, with g T, so a parabola in g T for each flight and each strength of drag tells it:
-//! fewer steps than a look at the [tables](crate::flight::table), from which the parabolas are made.
+//! The inference needs the same few flights under thousands of slightly different drags, gravities and
+//! contact times. Without drag a flight that lasts T starts and ends at g T/2; the effect of
+//! drag on that changes little, and smoothly, with g T, so for each flight and each strength of drag a parabola in g T
+//! replaces the [tables](crate::flight::table) from which it is made: fewer operations than an interpolation.
 
 use std::sync::OnceLock;
 
@@ -13,7 +13,7 @@ use super::parameters::{IMPOSSIBLE_LOG_SPEED, PARABOLA_REACH};
 use crate::flight::table::{Blend, FlightTable, FlightTables, STRENGTHS};
 use crate::simd::Lanes;
 
-/// What drag does to a flight, by the relative change x of g T: the logarithms of its launch speed and of its
+/// The effect of drag on a flight, by the relative change x of g T: the logarithms of its launch speed and of its
 /// impact speed over g T/2, each as a + x (b + x c).
 pub(super) type Curves = [f64; 6];
 
@@ -25,7 +25,7 @@ pub(super) struct TimedFlights {
     nodes: Vec<OnceLock<Vec<Curves>>>,
 }
 
-/// The flights under the drag of as many strengths as there are lanes: the nodes around them, with the weights in each lane.
+/// The flights under one strength of drag in each lane: the nodes around the strengths, with the weights in each lane.
 #[derive(Debug, Clone)]
 pub(super) struct FlightsAtStrengths<'a, const L: usize>(Vec<(&'a [Curves], Lanes<L>)>);
 
@@ -44,7 +44,7 @@ impl TimedFlights {
         }
     }
 
-    /// Forgets the curves; they are made again when they are asked for.
+    /// Frees the memory of the curves; they are computed anew when they are needed.
     pub(super) fn forget(&mut self) {
         self.nodes = vec![OnceLock::new(); STRENGTHS];
     }
@@ -67,8 +67,8 @@ impl TimedFlights {
         });
         let nodes = (least..greatest + 4).filter_map(|node| {
             let weight = |Blend { first, weights }: &Blend| {
-                let place = node.checked_sub(*first);
-                place.and_then(|place| weights.get(place)).copied()
+                let offset = node.checked_sub(*first);
+                offset.and_then(|offset| weights.get(offset)).copied()
             };
             let weights = Lanes::of(|lane| weight(&at[lane].blend).unwrap_or(0.0));
             let used = weights.0.iter().any(|weight| *weight != 0.0);
@@ -105,7 +105,7 @@ impl TimedFlights {
 }
 
 impl<const L: usize> FlightsAtStrengths<'_, L> {
-    /// The curves of an interval of one flight; absurd where the tables do not know it.
+    /// The curves of an interval of one flight; [`IMPOSSIBLE_LOG_SPEED`] where it is beyond the tables.
     #[inline(always)]
     pub(super) fn curves(&self, interval: usize) -> [Lanes<L>; 6] {
         let mut curves = [Lanes::all(0.0); 6];

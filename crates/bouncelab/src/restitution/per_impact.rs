@@ -1,10 +1,9 @@
 //! The restitution of each impact, corrected for drag.
 //!
-//! A flight time gives the launch speed and the impact speed of its flight exactly, once ball and
-//! air are known. Every impact between two heard flights so has its own coefficient of restitution,
-//! at its own speed: launch speed of the flight after it over impact speed of the flight before it.
-//! The bare ratio of flight times that a log-linear fit sees is smaller, because the air slows the
-//! ball too.
+//! With ball and air, a flight time determines the launch speed and the impact speed of its flight. So every impact
+//! between two detected flights has its own coefficient of restitution, at its own speed: launch speed of the
+//! flight after it over impact speed of the flight before it. The ratio of the flight times, which the log-linear
+//! fit uses, is smaller, because the air slows the ball too.
 //!
 //! ```
 //! use bouncelab::flight::FlightModel;
@@ -41,7 +40,7 @@ pub struct TimedFlight {
     pub apex_sd_m: Option<f64>,
 }
 
-/// What an impact between two timed flights kept of the speed of the ball.
+/// The restitution of an impact between two timed flights.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -84,7 +83,7 @@ pub struct PerImpact {
     pub flights: Vec<TimedFlight>,
 }
 
-/// The restitution of every impact whose neighbours on both sides were heard too.
+/// The restitution of every impact whose neighbours on both sides were detected too.
 ///
 /// The contact time is taken off every interval: a ball that touches the surface does not fly. A
 /// list too short for any flight gives an empty answer.
@@ -100,11 +99,11 @@ pub struct PerImpact {
 /// use bouncelab::flight::FlightModel;
 /// use bouncelab::restitution::of_impacts;
 ///
-/// // Impact 3 was missed: no flight touches it, and no restitution is known beside it.
+/// // Impact 3 was missed, so its flights and the restitutions next to it are unknown.
 /// let impacts = [(1, 0.0), (2, 0.5), (4, 1.4), (5, 1.8)]
 ///     .map(|(number, time_s)| Impact::new(number, time_s));
-/// let found = of_impacts(&impacts, 0.0, &FlightModel::drag_free(9.81)?)?;
-/// assert_eq!((found.flights.len(), found.impacts.len()), (2, 0));
+/// let per_impact = of_impacts(&impacts, 0.0, &FlightModel::drag_free(9.81)?)?;
+/// assert_eq!((per_impact.flights.len(), per_impact.impacts.len()), (2, 0));
 /// # Ok::<(), bouncelab::Error>(())
 /// ```
 pub fn of_impacts(
@@ -146,11 +145,11 @@ fn median_restitution(impacts: &[ImpactRestitution]) -> Option<Estimate> {
         return None;
     }
     let values = || impacts.iter().map(|impact| impact.restitution.value);
-    let middle = median(values())?;
-    let sd = robust_sd(values().map(|value| value - middle))?;
-    // Of the median of so many values with a normal scatter.
+    let centre = median(values())?;
+    let sd = robust_sd(values().map(|value| value - centre))?;
+    // The standard error of a median of normal values is (π/2)^1/2 times that of their mean.
     let error = sd * (std::f64::consts::FRAC_PI_2 / impacts.len() as f64).sqrt();
-    Some(Estimate::normal(middle, error))
+    Some(Estimate::normal(centre, error))
 }
 
 fn check(impacts: &[Impact]) -> Result<()> {
@@ -164,7 +163,7 @@ fn check(impacts: &[Impact]) -> Result<()> {
     Ok(())
 }
 
-/// A flight with the impacts at its ends and how it answers to its time.
+/// A flight with the impacts at its ends, and its derivatives by its time.
 struct Interval {
     start: Impact,
     end: Impact,
