@@ -125,7 +125,7 @@ fn totals(runs: &[Run]) -> Table {
         run.history.bounces().len().to_string()
     });
     row("simulate-first-speed", &|run| {
-        let first = run.history.strikes().next();
+        let first = run.history.impact_events().next();
         shown(first.map_or(f64::NAN, |s| s.speed_m_s), Unit::Speed)
     });
     row("quantity-terminal-speed", &|run| {

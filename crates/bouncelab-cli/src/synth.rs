@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use bouncelab::Plain;
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, Voice};
 use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_report::mark::Mark;
@@ -187,7 +187,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let options = &physics.options;
     let run = arguments.history.run(options.environment.drag, options)?;
-    let strikes: Vec<Strike> = run.history.strikes().collect();
+    let strikes: Vec<ImpactEvent> = run.history.impact_events().collect();
     let sound = synth::render(&strikes, &arguments.scene(), arguments.seed)?;
     let format = arguments.bits.format();
     let wav = encode_wav(sound.sample_rate_hz, format, &[&sound.samples])?;

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, Noise, Scene};
 use bouncelab_audio::SampleFormat;
 use bouncelab_report::figure;
@@ -48,7 +48,7 @@ fn write_samples(folder: &TempDir, name: &str, samples: &[f32]) -> PathBuf {
 
 /// A recording of twenty impacts with restitution 0.9.
 fn recording(folder: &TempDir) -> PathBuf {
-    let strikes: Vec<Strike> = strikes(2.4, 0.9).take(20).collect();
+    let strikes: Vec<ImpactEvent> = strikes(2.4, 0.9).take(20).collect();
     let sound = synth::render(&strikes, &Scene::default(), 3).unwrap();
     write_samples(folder, "drop.wav", &sound.samples)
 }
@@ -346,8 +346,8 @@ fn sounds_without_a_drop_say_why() {
         &quiet("noise.wav", &noise.unwrap().samples),
         "no drop found",
     );
-    let clock: Vec<Strike> = (0..20)
-        .map(|n| Strike {
+    let clock: Vec<ImpactEvent> = (0..20)
+        .map(|n| ImpactEvent {
             time_s: 0.5 * f64::from(n),
             speed_m_s: 1.0,
         })

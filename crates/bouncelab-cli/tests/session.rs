@@ -6,7 +6,7 @@ use std::process::{Child, Command as Plain, Stdio};
 use std::thread;
 
 use assert_cmd::Command;
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, Rendered, Scene};
 use bouncelab_audio::SampleFormat;
 use bouncelab_testkit::{strikes, write_wav};
@@ -17,7 +17,7 @@ use tempfile::TempDir;
 /// The sound of a dozen impacts.
 fn drop_of(seed: u16) -> Rendered {
     let first_speed_m_s = 2.2 + 0.01 * f64::from(seed);
-    let strikes: Vec<Strike> = strikes(first_speed_m_s, 0.9).take(12).collect();
+    let strikes: Vec<ImpactEvent> = strikes(first_speed_m_s, 0.9).take(12).collect();
     let scene = Scene {
         lead_in_s: 0.2,
         tail_s: 0.2,

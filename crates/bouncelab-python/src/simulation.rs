@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use bouncelab::drop::{Start, Stop};
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::restitution::Restitution;
 use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Reverb, Scene, Voice};
 use bouncelab_audio::{SampleFormat, encode_wav};
@@ -161,7 +161,7 @@ impl Simulation {
     fn sound<'py>(&self, py: Python<'py>, scene: &str) -> Result<(Bound<'py, PyBytes>, Table)> {
         let asked: SceneRequest = serde_json::from_str(scene)?;
         let scene = asked.scene()?;
-        let strikes: Vec<Strike> = self.run.history.strikes().collect();
+        let strikes: Vec<ImpactEvent> = self.run.history.impact_events().collect();
         let sound = py.detach(|| synth::render(&strikes, &scene, asked.seed))?;
         let samples = sound.samples.iter().flat_map(|sample| sample.to_ne_bytes());
         let samples = PyBytes::new(py, &samples.collect::<Vec<u8>>());

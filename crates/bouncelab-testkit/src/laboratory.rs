@@ -4,7 +4,7 @@ use std::path::Path;
 
 use bouncelab::analysis::Options;
 use bouncelab::flight::FlightModel;
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, Noise, Scene};
 use bouncelab_audio::SampleFormat;
 
@@ -51,7 +51,7 @@ impl Truth {
         );
     }
 
-    fn strikes(&self, height_m: f64, seed: u64) -> Vec<Strike> {
+    fn strikes(&self, height_m: f64, seed: u64) -> Vec<ImpactEvent> {
         /// Slower than this the ball is at rest, m/s.
         const REST_M_S: f64 = 0.25;
         let settings = Options::default();

@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 
 use bouncelab::flight::FlightModel;
 use bouncelab::gravity;
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab_audio::{SampleFormat, encode_wav};
 
 /// Writes a WAV file: one slice of samples for each channel, all of the same length.
@@ -42,15 +42,15 @@ pub fn bouncing(
     contact_time_s: f64,
     first_speed_m_s: f64,
     mut restitution: impl FnMut(f64) -> f64,
-) -> impl Iterator<Item = Strike> {
-    let first = Strike {
+) -> impl Iterator<Item = ImpactEvent> {
+    let first = ImpactEvent {
         time_s: 0.0,
         speed_m_s: first_speed_m_s,
     };
     successors(Some(first), move |impact| {
         let launch_m_s = restitution(impact.speed_m_s) * impact.speed_m_s;
         let flight = model.launch(launch_m_s).ok()?;
-        Some(Strike {
+        Some(ImpactEvent {
             time_s: impact.time_s + contact_time_s + flight.time_s(),
             speed_m_s: flight.impact_speed_m_s,
         })
@@ -62,7 +62,7 @@ pub fn bouncing(
 /// # Panics
 ///
 /// Never: gravity is above zero.
-pub fn strikes(first_speed_m_s: f64, restitution: f64) -> impl Iterator<Item = Strike> {
+pub fn strikes(first_speed_m_s: f64, restitution: f64) -> impl Iterator<Item = ImpactEvent> {
     let model = FlightModel::drag_free(gravity::STANDARD_M_S2).expect("gravity is above zero");
     bouncing(model, 0.0, first_speed_m_s, move |_| restitution)
 }

@@ -4,7 +4,7 @@ use bouncelab::analysis::Options;
 use bouncelab::demo;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{History, Start, Stop};
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::setup::Settings;
 use bouncelab::synth::{self, BitDepth, Noise, Rendered, Scene, Voice};
 use bouncelab_report::Chart;
@@ -107,7 +107,7 @@ pub fn synthesise(request: &SimulationRequest, scene: &SceneRequest) -> Result<R
     let history = history(&setup.options, request)?;
     let voice =
         Voice::named(&scene.voice).ok_or_else(|| unknown("voice", &scene.voice, &Voice::NAMES))?;
-    let strikes: Vec<Strike> = history.strikes().collect();
+    let strikes: Vec<ImpactEvent> = history.impact_events().collect();
     let scene_of_it = Scene {
         sample_rate_hz: scene.sample_rate_hz,
         lead_in_s: scene.lead_in_s,

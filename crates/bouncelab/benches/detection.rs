@@ -3,7 +3,7 @@
 //! Items are samples: 44.1 million a second are 1000 times real time.
 
 use bouncelab::detection::Detector;
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::onset::{Onset, OnsetDetector};
 use bouncelab::synth::{self, Noise, Scene};
 use bouncelab::train;
@@ -19,7 +19,7 @@ fn main() {
 
 /// A drop of seventy-odd impacts in this much background.
 fn drop_in(duration_s: f64, noise: Noise) -> Vec<f32> {
-    let strikes: Vec<Strike> = strikes(2.4, 0.955)
+    let strikes: Vec<ImpactEvent> = strikes(2.4, 0.955)
         .take_while(|strike| strike.speed_m_s > 0.1)
         .collect();
     let lead_in_s = 5.0;

@@ -121,7 +121,7 @@ fn drag_corrected_restitution(bencher: Bencher, law: DragLaw) {
     )
     .unwrap();
     let impacts: Vec<_> = history
-        .strikes()
+        .impact_events()
         .zip(1..)
         .map(|(strike, number)| Impact::new(number, strike.time_s).with_time_sd_s(5e-5))
         .collect();

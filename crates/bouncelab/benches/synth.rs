@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, Clicks, Colour, Hum, Noise, Reverb, Scene};
 use bouncelab_testkit::strikes;
 use divan::Bencher;
@@ -13,7 +13,7 @@ fn main() {
 }
 
 /// Sixty impacts, spread over a minute.
-fn minute() -> Vec<Strike> {
+fn minute() -> Vec<ImpactEvent> {
     strikes(8.5, 0.98).take(60).collect()
 }
 

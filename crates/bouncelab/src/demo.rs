@@ -5,7 +5,7 @@
 //!
 //! let history = demo::history()?;
 //! let sound = demo::sound(&history, 1)?;
-//! assert_eq!(sound.impacts.len(), history.strikes().count());
+//! assert_eq!(sound.impacts.len(), history.impact_events().count());
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
@@ -13,7 +13,7 @@ use crate::Result;
 use crate::analysis::Options;
 use crate::ball;
 use crate::drop::{self, History, Start, Stop};
-use crate::impact::Strike;
+use crate::impact::ImpactEvent;
 use crate::inference::{InferenceOptions, Priors};
 use crate::restitution::{Contact, Restitution};
 use crate::synth::{self, Noise, Rendered, Scene};
@@ -66,7 +66,7 @@ pub fn history() -> Result<History> {
 ///
 /// None with these numbers.
 pub fn sound(history: &History, seed: u64) -> Result<Rendered> {
-    let strikes: Vec<Strike> = history.strikes().collect();
+    let strikes: Vec<ImpactEvent> = history.impact_events().collect();
     let scene = Scene {
         noise: Some(Noise::pink(SNR_DB)),
         ..Scene::default()

@@ -12,13 +12,13 @@
 //!
 //! assert_eq!(format!("{:.2}", history.total_time_s()), "6.45");
 //! assert_eq!(format!("{:.2}", history.total_path_m()), "3.68");
-//! assert_eq!(history.strikes().count(), history.bounces().len() + 1);
+//! assert_eq!(history.impact_events().count(), history.bounces().len() + 1);
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
 use crate::error::{Error, Quantity, Result, of_a_size, positive, within};
 use crate::flight::{Fall, Flight, FlightModel, State};
-use crate::impact::Strike;
+use crate::impact::ImpactEvent;
 use crate::restitution::Contact;
 
 /// A history is given up after this many bounces: it would be of no use to anyone.
@@ -180,7 +180,7 @@ pub struct History {
     contact_time_s: f64,
     opening: InitialFall,
     bounces: Vec<Bounce>,
-    landing: Strike,
+    landing: ImpactEvent,
 }
 
 /// Simulates a drop.
@@ -217,7 +217,7 @@ pub fn simulate(
             InitialFall::Flight(model.launch(of_a_size(Quantity::LaunchSpeed, speed_m_s)?)?)
         }
     };
-    let mut landing = Strike {
+    let mut landing = ImpactEvent {
         time_s: opening.time_s(),
         speed_m_s: opening.impact_speed_m_s(),
     };
@@ -234,7 +234,7 @@ pub fn simulate(
                 apex_m,
             });
         }
-        landing = Strike {
+        landing = ImpactEvent {
             time_s: bounce.time_s + contact.contact_time_s() + bounce.flight.time_s(),
             speed_m_s: bounce.flight.impact_speed_m_s,
         };
@@ -249,16 +249,16 @@ pub fn simulate(
     })
 }
 
-fn bounce(model: &FlightModel, contact: &Contact, strike: Strike) -> Result<Bounce> {
-    let restitution = contact.restitution().at(strike.speed_m_s);
-    let flight = model.launch(restitution * strike.speed_m_s)?;
+fn bounce(model: &FlightModel, contact: &Contact, event: ImpactEvent) -> Result<Bounce> {
+    let restitution = contact.restitution().at(event.speed_m_s);
+    let flight = model.launch(restitution * event.speed_m_s)?;
     let launch_energy = kinetic_j_kg(flight.launch_speed_m_s);
     Ok(Bounce {
-        time_s: strike.time_s,
-        impact_speed_m_s: strike.speed_m_s,
+        time_s: event.time_s,
+        impact_speed_m_s: event.speed_m_s,
         restitution,
         flight,
-        lost_to_surface_j_kg: kinetic_j_kg(strike.speed_m_s) - launch_energy,
+        lost_to_surface_j_kg: kinetic_j_kg(event.speed_m_s) - launch_energy,
         lost_to_air_j_kg: launch_energy - kinetic_j_kg(flight.impact_speed_m_s),
     })
 }
@@ -279,7 +279,7 @@ impl History {
     }
 
     /// The impact with which the history ends.
-    pub fn landing(&self) -> Strike {
+    pub fn landing(&self) -> ImpactEvent {
         self.landing
     }
 
@@ -290,15 +290,15 @@ impl History {
     ///
     /// // What the synthesiser takes.
     /// let history = demo::history()?;
-    /// let strikes: Vec<_> = history.strikes().collect();
-    /// let sound = synth::render(&strikes, &synth::Scene::default(), 1)?;
-    /// assert_eq!(sound.impacts.len(), strikes.len());
+    /// let events: Vec<_> = history.impact_events().collect();
+    /// let sound = synth::render(&events, &synth::Scene::default(), 1)?;
+    /// assert_eq!(sound.impacts.len(), events.len());
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
-    pub fn strikes(&self) -> impl Iterator<Item = Strike> + '_ {
+    pub fn impact_events(&self) -> impl Iterator<Item = ImpactEvent> + '_ {
         self.bounces
             .iter()
-            .map(|bounce| Strike {
+            .map(|bounce| ImpactEvent {
                 time_s: bounce.time_s,
                 speed_m_s: bounce.impact_speed_m_s,
             })

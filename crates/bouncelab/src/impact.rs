@@ -60,7 +60,7 @@ impl Impact {
 
 /// One impact as a source of sound.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Strike {
+pub struct ImpactEvent {
     /// When the ball touches the surface, s after release.
     pub time_s: f64,
     /// How fast it arrives, m/s.

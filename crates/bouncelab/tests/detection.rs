@@ -7,7 +7,7 @@ use bouncelab::detection::{Detection, DetectionOptions, Detector};
 use bouncelab::diagnostic::{Code, Diagnostic};
 use bouncelab::flight::Environment;
 use bouncelab::gravity::STANDARD_M_S2;
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::onset::Onset;
 use bouncelab::synth::{
     self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, SynthImpact, Voice,
@@ -21,7 +21,7 @@ use proptest::test_runner::RngSeed;
 const SAME_S: f64 = 1e-3;
 
 /// A drop without drag, down to bounces of 0.5 mm.
-fn dropped(height_m: f64, restitution: f64) -> Vec<Strike> {
+fn dropped(height_m: f64, restitution: f64) -> Vec<ImpactEvent> {
     let speed_m_s = |height_m: f64| (2.0 * STANDARD_M_S2 * height_m).sqrt();
     strikes(speed_m_s(height_m), restitution)
         .take_while(|strike| strike.speed_m_s > speed_m_s(5e-4))
@@ -29,13 +29,13 @@ fn dropped(height_m: f64, restitution: f64) -> Vec<Strike> {
 }
 
 /// A drop of thirty-odd impacts.
-fn usual_strikes() -> Vec<Strike> {
+fn usual_strikes() -> Vec<ImpactEvent> {
     dropped(0.305, 0.92)
 }
 
 /// Two such drops; the second begins this long after the first impact of the first.
-fn two_drops(start_s: f64) -> Vec<Strike> {
-    let second = usual_strikes().into_iter().map(|strike| Strike {
+fn two_drops(start_s: f64) -> Vec<ImpactEvent> {
+    let second = usual_strikes().into_iter().map(|strike| ImpactEvent {
         time_s: start_s + strike.time_s,
         ..strike
     });
@@ -385,7 +385,7 @@ fn two_drops_are_two_trains() {
 
 /// A ball that begins to bounce this long after the recording begins.
 struct Ball {
-    strikes: Vec<Strike>,
+    strikes: Vec<ImpactEvent>,
     voice: Voice,
     start_s: f64,
 }
@@ -614,9 +614,9 @@ fn a_long_recording_is_forgotten_but_its_drops_are_not() {
 fn samples_that_are_read_again_say_what_remembered_ones_say() {
     let pause_s = 2.0 + usual_strikes().last().unwrap().time_s;
     let starts_s = (0..45).map(|drop| pause_s * f64::from(drop));
-    let strikes: Vec<Strike> = starts_s
+    let strikes: Vec<ImpactEvent> = starts_s
         .flat_map(|start_s| {
-            usual_strikes().into_iter().map(move |strike| Strike {
+            usual_strikes().into_iter().map(move |strike| ImpactEvent {
                 time_s: start_s + strike.time_s,
                 ..strike
             })
@@ -710,8 +710,8 @@ fn sounds_that_are_no_drop_have_a_reason() {
         reason(&vec![f32::NAN; 100_000]),
         Some(Code::RecordingSilent)
     );
-    let clock: Vec<Strike> = (0..12)
-        .map(|n| Strike {
+    let clock: Vec<ImpactEvent> = (0..12)
+        .map(|n| ImpactEvent {
             time_s: 0.5 * f64::from(n),
             speed_m_s: 1.0,
         })

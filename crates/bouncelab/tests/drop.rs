@@ -133,7 +133,7 @@ proptest! {
     ) {
         let contact = Contact::new(Restitution::constant(0.9).unwrap(), contact_time_s).unwrap();
         let history = drop::simulate(&model(law), &contact, start, Stop::after(10)).unwrap();
-        let strikes: Vec<_> = history.strikes().collect();
+        let strikes: Vec<_> = history.impact_events().collect();
         prop_assert_eq!(strikes.len(), 11);
         prop_assert_eq!(strikes[10], history.landing());
         for (i, bounce) in history.bounces().iter().enumerate() {
@@ -210,7 +210,7 @@ fn a_drop_stops_at_what_comes_first() {
     assert_eq!(stopped(0.5, Stop::after(7)).unwrap().bounces().len(), 7);
     let dead = stopped(0.0, Stop::after(7)).unwrap();
     assert!(dead.bounces().is_empty());
-    assert_eq!(dead.strikes().count(), 1);
+    assert_eq!(dead.impact_events().count(), 1);
 }
 
 #[test]

@@ -8,7 +8,7 @@ use bouncelab::diagnostic::Code;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::inference::{
     ApexTarget, InferenceOptions, Measured, Posterior, Priors, SamplerConfig, UNKNOWN, infer,
 };
@@ -59,9 +59,10 @@ impl Truth {
         let contact_s = Options::default().contact_time_s;
         let fall = model.fall(self.height_m).unwrap();
         let restitution = |speed: f64| self.law.at(speed) * (self.scatter * normal()).exp();
-        let strikes: Vec<Strike> = bouncing(model, contact_s, fall.impact_speed_m_s, restitution)
-            .take(self.impacts)
-            .collect();
+        let strikes: Vec<ImpactEvent> =
+            bouncing(model, contact_s, fall.impact_speed_m_s, restitution)
+                .take(self.impacts)
+                .collect();
         let heard = strikes.iter().zip(1..).map(|(strike, number)| {
             Impact::new(
                 number,

@@ -28,7 +28,7 @@ fn history(model: &FlightModel, restitution: Restitution, contact_time_s: f64) -
 }
 
 fn heard(history: &History, time_sd_s: Option<f64>) -> Vec<Impact> {
-    let strikes = history.strikes().zip(1..);
+    let strikes = history.impact_events().zip(1..);
     strikes
         .map(|(strike, number)| {
             let mut impact = Impact::new(number, strike.time_s);

@@ -2,7 +2,7 @@
 
 use super::backgrounds::Kind;
 use bouncelab::detection::{Detection, Detector};
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, Noise, Rendered, Scene, Voice};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -137,7 +137,7 @@ pub(crate) fn cells() -> Vec<Cell> {
 
 /// The strikes of a drop down to bounces of 0.5 mm, its height and restitution drawn from a seed:
 /// 10 cm to 1.5 m, and what such a ball keeps.
-pub(crate) fn strikes(seed: u64, voice: &Voice) -> Vec<Strike> {
+pub(crate) fn strikes(seed: u64, voice: &Voice) -> Vec<ImpactEvent> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let height_m = 0.1 * 15.0_f64.powf(rng.random());
     let (least, most) = if *voice == Voice::steel_ball() {
@@ -152,7 +152,7 @@ pub(crate) fn strikes(seed: u64, voice: &Voice) -> Vec<Strike> {
     let mut time_s = 0.0;
     let mut strikes = Vec::new();
     while speed_m_s * speed_m_s / (2.0 * GRAVITY) > 5e-4 {
-        strikes.push(Strike { time_s, speed_m_s });
+        strikes.push(ImpactEvent { time_s, speed_m_s });
         // Real ratios scatter by half a percent or so.
         let scatter = 1.0 + 0.005 * (rng.random::<f64>() - 0.5) * 12f64.sqrt();
         speed_m_s *= restitution * scatter;

@@ -1,6 +1,6 @@
 //! Sound as a recorder takes it: without what its samples cannot carry.
 
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, Rendered, Scene};
 use std::f64::consts::PI;
 
@@ -22,7 +22,7 @@ pub(crate) struct Recorded {
 /// Records these strikes. The synthesiser samples its sounds as they are: what lies above half the
 /// sample rate comes back below it, different in each impact, by where its samples happen to lie.
 /// A recorder filters that out first.
-pub(crate) fn record(strikes: &[Strike], scene: &Scene, seed: u64) -> Recorded {
+pub(crate) fn record(strikes: &[ImpactEvent], scene: &Scene, seed: u64) -> Recorded {
     let render = |scene: &Scene| {
         synth::render(strikes, scene, seed).unwrap_or_else(|error| panic!("{error}"))
     };

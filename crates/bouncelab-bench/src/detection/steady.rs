@@ -3,7 +3,7 @@
 
 use super::drops::{detect, usual};
 use bouncelab::detection::Detection;
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, Rendered, Scene};
 use bouncelab::train::Train;
 use rand::{RngExt, SeedableRng};
@@ -90,11 +90,11 @@ impl Verdict {
 }
 
 /// Equal impacts but for their scatter, from the same seed in every length.
-fn clicks(rate_hz: f64, times: f64, speeds: f64, length_s: f64) -> Vec<Strike> {
+fn clicks(rate_hz: f64, times: f64, speeds: f64, length_s: f64) -> Vec<ImpactEvent> {
     let mut rng = ChaCha8Rng::seed_from_u64(rate_hz as u64);
     let strikes = (0..(rate_hz * length_s) as u32).map(|n| {
         let late = times * (2.0 * rng.random::<f64>() - 1.0);
-        Strike {
+        ImpactEvent {
             time_s: (f64::from(n) + late.max(0.0)) / rate_hz,
             speed_m_s: 0.3 * speeds.powf(rng.random()),
         }
@@ -102,7 +102,7 @@ fn clicks(rate_hz: f64, times: f64, speeds: f64, length_s: f64) -> Vec<Strike> {
     strikes.collect()
 }
 
-fn render(strikes: &[Strike]) -> Rendered {
+fn render(strikes: &[ImpactEvent]) -> Rendered {
     let scene = Scene {
         lead_in_s: 0.0,
         tail_s: 0.1,
@@ -113,18 +113,18 @@ fn render(strikes: &[Strike]) -> Rendered {
 
 /// Whether a drop that begins at this time among the clicks is found, so that most of its impacts are in one train, and
 /// no other.
-fn is_found(clicks: &[Strike], cut_s: f64, begins_s: f64) -> bool {
-    let drop: Vec<Strike> = bouncing(begins_s).collect();
+fn is_found(clicks: &[ImpactEvent], cut_s: f64, begins_s: f64) -> bool {
+    let drop: Vec<ImpactEvent> = bouncing(begins_s).collect();
     let until_s = cut_s + 12.0;
     let around = clicks.iter().filter(|it| it.time_s < until_s).copied();
-    let mut strikes: Vec<Strike> = around.chain(drop.iter().copied()).collect();
+    let mut strikes: Vec<ImpactEvent> = around.chain(drop.iter().copied()).collect();
     strikes.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
     let sound = render(&strikes);
     let detection = detect(&sound.samples, sound.sample_rate_hz);
     let [train] = &detection.found.trains[..] else {
         return false;
     };
-    let is_detected = |strike: &&Strike| {
+    let is_detected = |strike: &&ImpactEvent| {
         let mut impacts = train.impacts().iter();
         impacts.any(|impact| (impact.onset.time_s - strike.time_s).abs() < 2e-3)
     };
@@ -133,10 +133,10 @@ fn is_found(clicks: &[Strike], cut_s: f64, begins_s: f64) -> bool {
 }
 
 /// Fifteen impacts of a ball, ten times as fast as the clicks at first.
-fn bouncing(begins_s: f64) -> impl Iterator<Item = Strike> {
+fn bouncing(begins_s: f64) -> impl Iterator<Item = ImpactEvent> {
     let mut time_s = begins_s;
     (0..15).map(move |n| {
-        let strike = Strike {
+        let strike = ImpactEvent {
             time_s,
             speed_m_s: 3.0 * 0.92_f64.powi(n),
         };

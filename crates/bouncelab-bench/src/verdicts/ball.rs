@@ -5,7 +5,7 @@ use bouncelab::analysis::{self, Drop, Options};
 use bouncelab::ball::Ball;
 use bouncelab::drag::DragLaw;
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::inference::{InferenceOptions, Measured, SamplerConfig};
 use bouncelab::restitution::Restitution;
 use bouncelab::rulebook::{self, Conditions, Decision, Limits, Outcome, Requirement, Rule};
@@ -128,7 +128,7 @@ impl RealBall {
         let first_m_s = self.model.fall(height_m).unwrap().impact_speed_m_s;
         let restitution =
             |speed_m_s| self.law.at(speed_m_s) * livelier * (SCATTER * normal(chance)).exp();
-        let strikes: Vec<Strike> =
+        let strikes: Vec<ImpactEvent> =
             bouncing(self.model, self.contact_time_s, first_m_s, restitution)
                 .take(MOST_IMPACTS)
                 .collect();

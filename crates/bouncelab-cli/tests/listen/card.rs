@@ -8,7 +8,7 @@ use std::io::{BufRead, BufReader, Read};
 use std::path::PathBuf;
 use std::process::{Child, ChildStderr, Command, Output, Stdio};
 
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use tempfile::TempDir;
 
 use super::linux::wait_for;
@@ -165,7 +165,7 @@ fn hears_a_drop(card_hz: u32) {
         .iter()
         .map(|impact| impact["time_s"].as_f64().unwrap())
         .collect();
-    let truth: Vec<Strike> = bouncelab_testkit::strikes(2.4, restitution)
+    let truth: Vec<ImpactEvent> = bouncelab_testkit::strikes(2.4, restitution)
         .take(15)
         .collect();
     for (flight, truth) in times.windows(2).zip(truth.windows(2)) {

@@ -12,7 +12,7 @@ use std::time::Duration;
 
 use assert_cmd::Command;
 use bouncelab::analysis::Gap;
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, Scene};
 use bouncelab_audio::{Recorder, SampleFormat, SoundReader};
 use bouncelab_testkit::{strikes, write_wav};
@@ -57,13 +57,13 @@ fn drops(documents: &[Value]) -> Vec<Value> {
 /// The sound of drag-free drops that begin at these times: fifteen impacts, 2.4 m/s at first.
 fn sound(starts_s: &[f64], restitution: f64, tail_s: f64) -> Vec<f32> {
     let drop = |&start_s: &f64| {
-        let later = move |strike: Strike| Strike {
+        let later = move |strike: ImpactEvent| ImpactEvent {
             time_s: start_s + strike.time_s,
             ..strike
         };
         strikes(2.4, restitution).take(15).map(later)
     };
-    let strikes: Vec<Strike> = starts_s.iter().flat_map(drop).collect();
+    let strikes: Vec<ImpactEvent> = starts_s.iter().flat_map(drop).collect();
     let scene = Scene {
         sample_rate_hz: RATE_HZ,
         tail_s,

@@ -12,7 +12,7 @@ use bouncelab::analysis::CONFIDENT_PROBABILITY;
 use bouncelab::detection::Detector;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{History, Stop};
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::regression;
 use bouncelab::synth::{self, Noise, Scene};
 use bouncelab::train::Train;
@@ -70,7 +70,7 @@ fn sound(translator: &Translator) -> Result<Chart> {
         behind_the_regression(10)?,
         Stop::below(5e-4),
     )?;
-    let strikes: Vec<Strike> = history.strikes().collect();
+    let strikes: Vec<ImpactEvent> = history.impact_events().collect();
     let scene = Scene {
         noise: Some(Noise::pink(40.0)),
         ..Scene::default()

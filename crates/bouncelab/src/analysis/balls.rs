@@ -35,7 +35,7 @@ impl Options {
     /// ```
     /// use bouncelab::{Options, analyze_times, ball, demo};
     ///
-    /// let times_s: Vec<f64> = demo::history()?.strikes().map(|strike| strike.time_s).collect();
+    /// let times_s: Vec<f64> = demo::history()?.impact_events().map(|strike| strike.time_s).collect();
     /// let options = Options::default().with_ball_comparison();
     /// let balls = &analyze_times(&times_s, &options).drops[0].balls;
     /// assert_eq!(balls.len(), ball::presets().len());

@@ -6,15 +6,15 @@
 //! which that is.
 //!
 //! ```
-//! use bouncelab::impact::Strike;
+//! use bouncelab::impact::ImpactEvent;
 //! use bouncelab::detection::Detector;
 //! use bouncelab::synth::{self, Scene};
 //!
 //! let mut time_s = 0.0;
-//! let strikes: Vec<Strike> = (0..20)
+//! let strikes: Vec<ImpactEvent> = (0..20)
 //!     .map(|n| {
 //!         let speed_m_s = 2.4 * 0.9_f64.powi(n);
-//!         let strike = Strike { time_s, speed_m_s };
+//!         let strike = ImpactEvent { time_s, speed_m_s };
 //!         time_s += 2.0 * 0.9 * speed_m_s / 9.81;
 //!         strike
 //!     })

@@ -202,7 +202,7 @@ impl DropWatch {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::impact::Strike;
+    use crate::impact::ImpactEvent;
     use crate::synth::{self, Scene};
 
     /// Two drops of fifteen impacts each, 6 s apart.
@@ -212,7 +212,7 @@ mod tests {
             let mut time_s = start_s;
             for n in 0..15 {
                 let speed_m_s = 2.4 * 0.88_f64.powi(n);
-                strikes.push(Strike { time_s, speed_m_s });
+                strikes.push(ImpactEvent { time_s, speed_m_s });
                 time_s += 2.0 * 0.88 * speed_m_s / 9.81;
             }
         }

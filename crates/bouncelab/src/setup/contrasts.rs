@@ -27,7 +27,7 @@ impl Setup {
     /// ```
     /// use bouncelab::{analyze_times, demo, setup::Settings};
     ///
-    /// let times_s: Vec<f64> = demo::history()?.strikes().map(|strike| strike.time_s).collect();
+    /// let times_s: Vec<f64> = demo::history()?.impact_events().map(|strike| strike.time_s).collect();
     /// let setup = Settings::default().resolve(true)?;
     /// let drop = &analyze_times(&times_s, &setup.options).drops[0];
     /// let steel = setup.ball_contrasts(drop)[1];
@@ -82,7 +82,7 @@ mod tests {
         let tennis = setup.options.clone().with_preset(tennis);
         let times_s: Vec<f64> = demo::history()
             .unwrap()
-            .strikes()
+            .impact_events()
             .map(|strike| strike.time_s)
             .collect();
         for count in [5, times_s.len()] {

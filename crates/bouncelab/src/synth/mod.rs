@@ -1,6 +1,6 @@
 //! Synthesises the sound of a drop, with noise of known level.
 //!
-//! [`render`] turns a list of [`Strike`]s into a recording as a microphone would have made it,
+//! [`render`] turns a list of [`ImpactEvent`]s into a recording as a microphone would have made it,
 //! and keeps the truth beside it: when each impact began (to a small fraction of a sample), how
 //! far it stands above the noise, whether it was lost, and where the clicks are that are no
 //! impact. What listens to recordings is tested by undoing this.
@@ -12,18 +12,18 @@
 //! its own stream: adding hum leaves the noise as it was.
 //!
 //! ```
-//! use bouncelab::impact::Strike;
+//! use bouncelab::impact::ImpactEvent;
 //! use bouncelab::synth::{self, Noise, Scene};
 //!
-//! let strikes = [
-//!     Strike { time_s: 0.0, speed_m_s: 2.4 },
-//!     Strike { time_s: 0.4605, speed_m_s: 2.2 },
+//! let events = [
+//!     ImpactEvent { time_s: 0.0, speed_m_s: 2.4 },
+//!     ImpactEvent { time_s: 0.4605, speed_m_s: 2.2 },
 //! ];
 //! let scene = Scene { noise: Some(Noise::white(40.0)), ..Scene::default() };
-//! let recording = synth::render(&strikes, &scene, 1)?;
+//! let recording = synth::render(&events, &scene, 1)?;
 //!
 //! assert_eq!(recording.sample_rate_hz, 44_100);
-//! // The recording starts half a second (the lead-in) before time 0 of the strikes.
+//! // The recording starts half a second (the lead-in) before time 0 of the impact events.
 //! assert_eq!(recording.impacts[1].time_s, 0.5 + 0.4605);
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
@@ -45,7 +45,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Exp1, StandardNormal};
 
 use crate::error::{Error, Quantity, Result, positive, within};
-use crate::impact::Strike;
+use crate::impact::ImpactEvent;
 use burst::Burst;
 pub use scene::{BitDepth, Clicks, Colour, Hum, Lost, Noise, Reverb, Scene};
 pub use voice::{Mode, Voice};
@@ -63,7 +63,7 @@ pub struct Rendered {
     pub samples: Vec<f32>,
     /// Samples a second.
     pub sample_rate_hz: u32,
-    /// Every strike in order, heard or not.
+    /// Every impact event in order, heard or not.
     pub impacts: Vec<SynthImpact>,
     /// Onsets of the sounds that are no impact, in seconds from the start of the recording.
     pub clicks_s: Vec<f64>,
@@ -85,41 +85,41 @@ pub struct SynthImpact {
     pub lost: bool,
 }
 
-/// Renders strikes as a recording.
+/// Renders impact events as a recording.
 ///
-/// The recording starts `lead_in_s` before time 0 of the strikes and ends `tail_s` after the
-/// last one. Without strikes it holds only the disturbances. The same arguments give the same
+/// The recording starts `lead_in_s` before time 0 of the impact events and ends `tail_s` after the
+/// last one. Without impact events it holds only the disturbances. The same arguments give the same
 /// samples on the same machine.
 ///
 /// # Errors
 ///
-/// [`Error::OutOfRange`] if a number of the scene is outside its range, if a strike has a negative
-/// time or a speed that is not positive, if the strikes are not in the order of time, if a lost
+/// [`Error::OutOfRange`] if a number of the scene is outside its range, if an impact event has a negative
+/// time or a speed that is not positive, if the impact events are not in the order of time, if a lost
 /// impact is not in the list, if the voice makes no sound at this sample rate, or if the recording
 /// would have more samples than an hour at 48 kHz.
 ///
 /// ```
 /// use bouncelab::synth::{self, Noise, Scene, Voice};
 ///
-/// let strikes: Vec<_> = bouncelab::demo::history()?.strikes().take(10).collect();
+/// let events: Vec<_> = bouncelab::demo::history()?.impact_events().take(10).collect();
 /// let scene = Scene {
 ///     voice: Voice::steel_ball(),
 ///     noise: Some(Noise::pink(30.0)),
 ///     ..Scene::default()
 /// };
-/// let sound = synth::render(&strikes, &scene, 7)?;
+/// let sound = synth::render(&events, &scene, 7)?;
 /// assert_eq!(sound.impacts.len(), 10);
-/// assert_eq!(sound, synth::render(&strikes, &scene, 7)?); // the same seed, the same samples
+/// assert_eq!(sound, synth::render(&events, &scene, 7)?); // the same seed, the same samples
 /// # Ok::<(), bouncelab::Error>(())
 /// ```
-pub fn render(strikes: &[Strike], scene: &Scene, seed: u64) -> Result<Rendered> {
+pub fn render(events: &[ImpactEvent], scene: &Scene, seed: u64) -> Result<Rendered> {
     scene.check()?;
-    check_strikes(strikes)?;
+    check_events(events)?;
     let studio = Studio::new(scene, seed)?;
-    let mut samples = vec![0.0; studio.length(strikes)?];
+    let mut samples = vec![0.0; studio.length(events)?];
 
-    let lost = studio.lost(strikes.len())?;
-    let sounds = studio.add_impacts(&mut samples, strikes, &lost);
+    let lost = studio.lost(events.len())?;
+    let sounds = studio.add_impacts(&mut samples, events, &lost);
     let reference = studio.reference(&sounds, &lost)?;
     let clicks_s = studio.add_clicks(&mut samples, reference.rms);
     studio.add_reverb(&mut samples);
@@ -130,10 +130,10 @@ pub fn render(strikes: &[Strike], scene: &Scene, seed: u64) -> Result<Rendered> 
     let noise_rms = studio.add_background(&mut samples, gain * reference.rms);
     recorder::record(&mut samples, scene);
 
-    let impacts = std::iter::zip(strikes, std::iter::zip(sounds, lost))
-        .map(|(strike, (sound, lost))| SynthImpact {
-            time_s: scene.lead_in_s + strike.time_s,
-            speed_m_s: strike.speed_m_s,
+    let impacts = std::iter::zip(events, std::iter::zip(sounds, lost))
+        .map(|(event, (sound, lost))| SynthImpact {
+            time_s: scene.lead_in_s + event.time_s,
+            speed_m_s: event.speed_m_s,
             snr_db: snr_db(gain * sound.rms, noise_rms),
             lost,
         })
@@ -146,12 +146,12 @@ pub fn render(strikes: &[Strike], scene: &Scene, seed: u64) -> Result<Rendered> 
     })
 }
 
-fn check_strikes(strikes: &[Strike]) -> Result<()> {
+fn check_events(events: &[ImpactEvent]) -> Result<()> {
     let mut earliest = 0.0;
-    for strike in strikes {
-        within(Quantity::ImpactTime, strike.time_s, earliest..)?;
-        positive(Quantity::ImpactSpeed, strike.speed_m_s)?;
-        earliest = strike.time_s;
+    for event in events {
+        within(Quantity::ImpactTime, event.time_s, earliest..)?;
+        positive(Quantity::ImpactSpeed, event.speed_m_s)?;
+        earliest = event.time_s;
     }
     Ok(())
 }
@@ -230,8 +230,8 @@ impl<'a> Studio<'a> {
     }
 
     /// Samples in the recording.
-    fn length(&self, strikes: &[Strike]) -> Result<usize> {
-        let last_s = strikes.last().map_or(0.0, |strike| strike.time_s);
+    fn length(&self, events: &[ImpactEvent]) -> Result<usize> {
+        let last_s = events.last().map_or(0.0, |event| event.time_s);
         let duration_s = self.scene.lead_in_s + last_s + self.scene.tail_s;
         let samples = (duration_s * self.sample_rate_hz).ceil();
         within(Quantity::Samples, samples, 0.0..=MAX_SAMPLES)?;
@@ -258,21 +258,26 @@ impl<'a> Studio<'a> {
     }
 
     /// Adds the impacts that are not lost; the loudness of each, lost or not.
-    fn add_impacts(&self, samples: &mut [f32], strikes: &[Strike], lost: &[bool]) -> Vec<Loudness> {
+    fn add_impacts(
+        &self,
+        samples: &mut [f32],
+        events: &[ImpactEvent],
+        lost: &[bool],
+    ) -> Vec<Loudness> {
         let scene = self.scene;
         let mut rng = self.rng(Chance::Impacts);
-        let fastest = strikes.iter().fold(0.0, |top: f64, s| top.max(s.speed_m_s));
+        let fastest = events.iter().fold(0.0, |top: f64, s| top.max(s.speed_m_s));
         let mut burst = Burst::default();
-        std::iter::zip(strikes, lost)
-            .map(|(strike, &lost)| {
+        std::iter::zip(events, lost)
+            .map(|(event, &lost)| {
                 let scatter: f64 = scene.level_scatter * normal(&mut rng);
                 let level =
-                    (strike.speed_m_s / fastest).powf(scene.voice.level_exponent) * scatter.exp();
+                    (event.speed_m_s / fastest).powf(scene.voice.level_exponent) * scatter.exp();
                 let modes = self
                     .modes
                     .iter()
                     .map(|&mode| (mode, scene.phase_scatter_rad * normal(&mut rng)));
-                let time_s = scene.lead_in_s + strike.time_s;
+                let time_s = scene.lead_in_s + event.time_s;
                 burst.strike(time_s, modes, level, self.rise_s, self.sample_rate_hz);
                 if !lost {
                     burst.add_to(samples, 1.0);

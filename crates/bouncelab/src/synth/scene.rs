@@ -29,9 +29,9 @@ use crate::error::{Quantity, positive_up_to, within};
 pub struct Scene {
     /// Samples a second, 4 000 to 192 000.
     pub sample_rate_hz: u32,
-    /// Seconds of recording before time 0 of the strikes; not negative.
+    /// Seconds of recording before time 0 of the impact events; not negative.
     pub lead_in_s: f64,
-    /// Seconds of recording after the last strike; at least 0.005.
+    /// Seconds of recording after the last impact event; at least 0.005.
     pub tail_s: f64,
     /// What an impact sounds like.
     pub voice: Voice,
@@ -256,7 +256,7 @@ pub enum Lost {
     None,
     /// Each is lost with this chance, 0 to 1.
     Chance(f64),
-    /// Those at these places in the list of strikes, counted from 0.
+    /// Those at these places in the list of impact events, counted from 0.
     At(Vec<usize>),
 }
 

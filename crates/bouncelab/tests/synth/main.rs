@@ -9,7 +9,7 @@ mod refusals;
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{
     BitDepth, Clicks, Colour, Hum, Lost, Mode, Noise, Rendered, Reverb, Scene, Voice, render,
 };
@@ -17,15 +17,15 @@ use rustfft::FftPlanner;
 use rustfft::num_complex::Complex32;
 
 /// Four impacts at times that lie on no sample of any usual rate.
-const STRIKES: [Strike; 4] = [
+const STRIKES: [ImpactEvent; 4] = [
     strike(0.012_345_678, 2.4),
     strike(0.472_135_955, 2.2),
     strike(0.899_331_245, 2.0),
     strike(1.297_012_345, 1.9),
 ];
 
-const fn strike(time_s: f64, speed_m_s: f64) -> Strike {
-    Strike { time_s, speed_m_s }
+const fn strike(time_s: f64, speed_m_s: f64) -> ImpactEvent {
+    ImpactEvent { time_s, speed_m_s }
 }
 
 /// Nothing but the impacts, without chance and without rounding.

@@ -1,6 +1,6 @@
 //! Absurd wishes are refused, each with the name of what was wrong.
 
-use bouncelab::impact::Strike;
+use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{BitDepth, Clicks, Hum, Lost, Mode, Noise, Reverb, Scene, Voice, render};
 use bouncelab::{Error, Quantity};
 use proptest::prelude::*;
@@ -11,7 +11,7 @@ fn refused(scene: &Scene) -> Quantity {
     refused_strikes(&STRIKES, scene)
 }
 
-fn refused_strikes(strikes: &[Strike], scene: &Scene) -> Quantity {
+fn refused_strikes(strikes: &[ImpactEvent], scene: &Scene) -> Quantity {
     match render(strikes, scene, 1) {
         Err(Error::OutOfRange { quantity, .. }) => quantity,
         other => panic!(
