@@ -577,8 +577,9 @@ mod tests {
         while let Some(block) = source.next_block().unwrap() {
             samples.extend_from_slice(block.channel(0));
         }
-        let alike = std::iter::zip(&samples, sound).take_while(|(a, b)| (*a - *b).abs() < 1e-6);
-        let alike = alike.count();
+        let alike = std::iter::zip(&samples, sound)
+            .take_while(|(a, b)| (*a - *b).abs() < 1e-6)
+            .count();
         assert!(alike >= certain, "{alike} of {certain}");
         let is_warned = source
             .warnings()

@@ -30,10 +30,8 @@ impl SampleFormat {
 
     pub(crate) fn encode(self, sample: f32, target: &mut Vec<u8>) {
         let full_scale = f64::from(self.bits() - 1).exp2();
-        let level = (f64::from(sample) * full_scale)
-            .round()
-            .clamp(-full_scale, full_scale - 1.0);
-        let level = level as i32;
+        let scaled = (f64::from(sample) * full_scale).round();
+        let level = scaled.clamp(-full_scale, full_scale - 1.0) as i32;
         match self {
             // In WAV files samples of 8 bits, and only these, have no sign.
             Self::Int8 => target.push((level + 128) as u8),

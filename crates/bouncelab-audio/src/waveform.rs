@@ -6,7 +6,6 @@
 //! second.
 
 use std::cmp::Ordering;
-use std::sync::Arc;
 
 use crate::error::{Error, Result};
 use crate::problem::TimesProblem;
@@ -76,7 +75,6 @@ impl Waveform {
         crate::check_layout(self.sample_rate_hz, self.channels.len(), name)?;
         let channels: Vec<&[f32]> = self.channels.iter().map(Vec::as_slice).collect();
         let wav = encode_wav(self.sample_rate_hz, SampleFormat::Float32, &channels)?;
-        let wav: Arc<[u8]> = wav.into();
         Ok(SoundReader::from_bytes(wav, name)?.described_as("waveform in text"))
     }
 }
@@ -164,8 +162,8 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
 fn layout(line: &str) -> Option<(char, usize)> {
     let mut separators = [';', '\t', ',', ' '].into_iter();
     separators.find_map(|separator| {
-        let columns = numbers(line, separator).take(MAX_COLUMNS + 1);
-        let columns = columns.collect::<Option<Vec<f64>>>()?.len();
+        let cells = numbers(line, separator).take(MAX_COLUMNS + 1);
+        let columns = cells.collect::<Option<Vec<f64>>>()?.len();
         (2..=MAX_COLUMNS)
             .contains(&columns)
             .then_some((separator, columns))

@@ -255,8 +255,8 @@ fn the_list_of_formats_is_what_is_decoded() {
             .collect();
         assert!(!own.is_empty(), "no fixture is {name}");
         for description in own {
-            let codec = CODECS.iter().find(|(part, _)| description.contains(part));
-            let codec = codec.map_or(&*description, |(_, listed)| listed);
+            let named = CODECS.iter().find(|(part, _)| description.contains(part));
+            let codec = named.map_or(&*description, |(_, listed)| listed);
             let is_decoded = |listed: &&str| listed.starts_with(codec) || codec.starts_with(listed);
             assert!(format.codecs().iter().any(is_decoded), "{description}");
         }

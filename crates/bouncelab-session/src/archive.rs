@@ -51,10 +51,10 @@ pub(crate) fn entries(path: &Path, wanted: impl Fn(&Path) -> bool) -> Result<Vec
         let file = archive
             .by_index_data(index)
             .map_err(|reason| unread(path, &reason))?;
-        let name = file.name().map_err(|reason| unread(path, &reason))?;
-        let name = Path::new(&*name);
+        let stored = file.name().map_err(|reason| unread(path, &reason))?;
+        let whole = Path::new(&*stored);
         // Some programs begin every name with "./". A ".." has no effect, since no name is used as a path.
-        let name = name.strip_prefix(".").unwrap_or(name).to_owned();
+        let name = whole.strip_prefix(".").unwrap_or(whole).to_owned();
         let is_hidden = name.components().any(|part| {
             matches!(part, Component::Normal(part) if part.as_encoded_bytes().starts_with(b"."))
         });
@@ -214,9 +214,9 @@ mod tests {
             ".git/c.wav",
         ];
         let files: Vec<_> = names.map(|name| (name.to_owned(), Vec::new())).to_vec();
-        let found = entries(archive(&files).path(), |_| true).unwrap();
-        let found: Vec<_> = found.iter().map(|entry| &*entry.name).collect();
-        assert_eq!(found, [Path::new("drop.wav"), Path::new("class/a.wav")]);
+        let entries = entries(archive(&files).path(), |_| true).unwrap();
+        let names: Vec<_> = entries.iter().map(|entry| &*entry.name).collect();
+        assert_eq!(names, [Path::new("drop.wav"), Path::new("class/a.wav")]);
     }
 
     #[test]

@@ -112,8 +112,8 @@ impl Journal {
         let path = folder.join(JOURNAL);
         // A device or a pipe may have no end.
         if fs::metadata(&path).is_ok_and(|about| !about.is_file()) {
-            let reason = "it is a device, a pipe or a folder, and no journal of bouncelab";
-            let reason = std::io::Error::new(std::io::ErrorKind::InvalidInput, reason);
+            let problem = "it is a device, a pipe or a folder, and no journal of bouncelab";
+            let reason = std::io::Error::new(std::io::ErrorKind::InvalidInput, problem);
             return Err(Error::output(&path)(reason));
         }
         let file = OpenOptions::new()
@@ -131,8 +131,8 @@ impl Journal {
         sync_name(&path).map_err(Error::output(folder))?;
         let scan = Scan::of(&file).map_err(Error::read(&path))?;
         if scan.is_foreign {
-            let reason = "it exists, and is no journal of bouncelab";
-            let reason = std::io::Error::new(std::io::ErrorKind::AlreadyExists, reason);
+            let problem = "it exists, and is no journal of bouncelab";
+            let reason = std::io::Error::new(std::io::ErrorKind::AlreadyExists, problem);
             return Err(Error::output(&path)(reason));
         }
         // An incomplete line at the end is removed, so that the next result begins a new line.

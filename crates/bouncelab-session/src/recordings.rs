@@ -335,13 +335,13 @@ impl Search {
         let file = SessionFile::read(path)?;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         for within in file.folders.clone().unwrap_or_else(|| vec![PathBuf::new()]) {
-            let within = folder.join(within);
-            let within = if within.as_os_str().is_empty() {
-                PathBuf::from(".")
+            let joined = folder.join(within);
+            let searched = if joined.as_os_str().is_empty() {
+                Path::new(".")
             } else {
-                within
+                &joined
             };
-            self.add_folder(&folder, &within)?;
+            self.add_folder(&folder, searched)?;
         }
         self.file = Some((path.to_owned(), Box::new(file)));
         Ok(())
@@ -363,8 +363,8 @@ impl Search {
             if kind.is_dir() {
                 self.add_folder(base, &path)?;
             } else if is_recording(&path) && path.is_file() {
-                let relative = path.strip_prefix(base).unwrap_or(&path);
-                let relative = relative.strip_prefix(".").unwrap_or(relative);
+                let below_base = path.strip_prefix(base).unwrap_or(&path);
+                let relative = below_base.strip_prefix(".").unwrap_or(below_base);
                 let called = name(if self.is_alone { relative } else { &path });
                 self.recordings.push(RecordingFile {
                     path,

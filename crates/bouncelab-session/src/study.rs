@@ -244,8 +244,8 @@ impl CollectedDrop {
         translator: &Translator,
     ) -> Self {
         let odd = (!record.diagnostics.is_empty()).then(|| {
-            let odd = record.diagnostics.iter();
-            let why = translator.in_one_line(odd.map(|odd| translator.diagnostic(odd)));
+            let sentences = record.diagnostics.iter();
+            let why = translator.in_one_line(sentences.map(|odd| translator.diagnostic(odd)));
             (why, is_doubtful(&record))
         });
         let left_out = left_out(&record, drop.by_hand, translator);

@@ -375,8 +375,8 @@ fn refused(name: &str, reason: &cpal::Error) -> Error {
         }
         _ => "",
     };
-    let reason = reason.to_string();
-    fault(name, format!("{}{advice}", reason.trim_end_matches('.')))
+    let text = reason.to_string();
+    fault(name, format!("{}{advice}", text.trim_end_matches('.')))
 }
 
 fn fault(name: &str, problem: String) -> Error {

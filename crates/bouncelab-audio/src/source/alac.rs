@@ -53,9 +53,9 @@ impl Alac {
         const HALF_RANGE: f32 = 1.0;
         /// Maximum size of a compressed packet, as a share of its samples without compression.
         const MAX_COMPRESSED: f64 = 0.9;
-        let bits = self.inner.codec_params().bits_per_sample.unwrap_or(0);
+        let stated_bits = self.inner.codec_params().bits_per_sample.unwrap_or(0);
         // Not every container states the number of bits; recordings have at least 16.
-        let bits = f64::from(bits.max(16));
+        let bits = f64::from(stated_bits.max(16));
         let values: usize = planes.iter().map(Vec::len).sum();
         let is_compressed =
             8.0 * (packet.data.len() as f64) < MAX_COMPRESSED * bits * values as f64;

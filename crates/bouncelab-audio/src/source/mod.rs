@@ -397,13 +397,13 @@ impl SoundReader {
 
     /// Decodes the next packet into `planes`, or ends the recording.
     fn decode_more(&mut self) -> Result<()> {
-        let at = self.pending.end;
-        if at >= self.presentation.end() {
-            self.stop(at);
+        let decoded = self.pending.end;
+        if decoded >= self.presentation.end() {
+            self.stop(decoded);
             return Ok(());
         }
         let Step { lost, next } = self.track.step(&self.name, &mut self.planes)?;
-        let at = self.lose(at, lost);
+        let at = self.lose(decoded, lost);
         match next {
             _ if lost.is_some() && self.gaps.len() > MAX_GAPS => self.end(at, true),
             Next::Sound(layout) if layout != self.layout => {

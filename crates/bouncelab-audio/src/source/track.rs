@@ -99,7 +99,7 @@ impl Track {
         }
         let mut reader = open_reader(container, source, name)?;
         let (info, params, decoder) = choose(reader.tracks(), container, name)?;
-        let edits = edits.into_iter().find(|track| track.track_id == info.id);
+        let own_edits = edits.into_iter().find(|track| track.track_id == info.id);
         let is_own = |track: Option<u32>| track.is_none_or(|track| track == info.id);
         framing.breaks.retain(|missing| is_own(missing.track));
         // They are taken from the end of the list.
@@ -108,7 +108,7 @@ impl Track {
             container,
             itunes: itunes_gapless(reader.as_mut()),
             reader,
-            edits: edits.map_or_else(Vec::new, |track| track.edits),
+            edits: own_edits.map_or_else(Vec::new, |track| track.edits),
             info,
             clock: Clock::of(container, &params),
             params,

@@ -5,16 +5,16 @@
 /// `time`, `time_ms`, `Impact time (ms)`, `Zeit in s`, `t / µs`: what follows the word for time is its unit. Without one
 /// the times are in seconds. A heading such as `flight time` is not that of impact times.
 pub(super) fn unit_s(heading: &str) -> Option<f64> {
-    let heading = heading.trim().to_ascii_lowercase();
-    let words: Vec<&str> = heading
+    let lower = heading.trim().to_ascii_lowercase();
+    let words: Vec<&str> = lower
         .split(|letter: char| " _/()[],.".contains(letter))
         .filter(|word| !word.is_empty() && *word != "in")
         .collect();
-    let words = match words.as_slice() {
+    let time_words = match words.as_slice() {
         ["impact" | "impacts", rest @ ..] => rest,
         all => all,
     };
-    match words {
+    match time_words {
         [word] if is_time(word) => Some(1.0),
         [word, unit] if is_time(word) => seconds(unit),
         _ => None,

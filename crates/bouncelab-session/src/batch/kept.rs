@@ -137,8 +137,10 @@ impl Batch {
                 };
                 let wrong = |problem: String| Error::rows(file, problem);
                 let content = self.done[index].content.clone().map_err(wrong)?;
-                let settings = settings.as_deref().unwrap_or_default().parse();
-                let settings = settings.map_err(|problem: &str| wrong(problem.to_owned()))?;
+                let digits = settings.as_deref().unwrap_or_default();
+                let settings = digits
+                    .parse()
+                    .map_err(|problem: &str| wrong(problem.to_owned()))?;
                 let record = match (record, failure) {
                     (Some(record), _) => serde_json::from_str(&record).map_err(|fault| {
                         wrong(format!("the record is not one of this version: {fault}"))

@@ -122,8 +122,8 @@ impl KnownMetadata {
             return Ok(Arc::clone(made));
         }
         let parsed: Known = serde_json::from_str(known).map_err(|fault| fault.to_string())?;
-        let made = parsed.metadata().map_err(|refusal| refusal.to_string())?;
-        let made = Arc::new(made);
+        let metadata = parsed.metadata().map_err(|refusal| refusal.to_string())?;
+        let made = Arc::new(metadata);
         self.0.insert(known.to_owned(), Arc::clone(&made));
         Ok(made)
     }

@@ -44,11 +44,11 @@ pub(super) fn read<const COLUMNS: usize>(
         let rows = usize::try_from(group.metadata().num_rows()).unwrap_or_default();
         for start in (0..rows).step_by(ROWS) {
             let count = ROWS.min(rows - start);
-            let read = columns
+            let reads = columns
                 .iter_mut()
                 .map(|column| contain(|| column.next(count)));
-            let read: Vec<_> = read.collect::<Parquet<_>>().map_err(wrong)?;
-            let mut cells: Vec<_> = read.into_iter().map(Vec::into_iter).collect();
+            let rows_of_columns: Vec<_> = reads.collect::<Parquet<_>>().map_err(wrong)?;
+            let mut cells: Vec<_> = rows_of_columns.into_iter().map(Vec::into_iter).collect();
             for _ in 0..count {
                 take(std::array::from_fn(|column| cells[column].next().flatten()))?;
             }
