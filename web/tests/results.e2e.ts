@@ -110,9 +110,9 @@ test('exports: table, document and figures', async () => {
   await demo(page);
   const content = async (button: string): Promise<string> =>
     readFileSync(await saved(page, button), 'utf8');
-  expect(await content('Table (CSV)')).toMatch(/^file,drop,/);
+  expect(await content('Table (CSV)')).toMatch(/^recording,drop,/);
   const document = JSON.parse(await content('All data (JSON)'));
-  expect(document.schema).toBe('bouncelab.analysis/2');
+  expect(document.schema).toBe('bouncelab.analysis/3');
   expect(document.drops[0].posterior.restitution.value).toBeCloseTo(0.9529, 3);
   expect(await content('Report (HTML)')).toMatch(/^<!DOCTYPE html>/i);
   for (const tab of await page.getByRole('tab').all()) {

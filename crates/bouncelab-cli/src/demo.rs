@@ -151,7 +151,7 @@ fn largest_error(analysed: &Analysed, sound: &Rendered) -> Quantity {
     let measured = &analysed.result.drops[0].flights;
     let errors = measured.iter().map(|flight| {
         let true_s = truth.clone().nth(flight.number - 1).unwrap_or(f64::NAN);
-        (flight.time_s - true_s).abs()
+        (flight.flight_time_s - true_s).abs()
     });
     Quantity::rounded(errors.fold(0.0, f64::max), 2, Unit::Time)
 }

@@ -62,17 +62,6 @@ impl From<bouncelab::Error> for Failure {
     }
 }
 
-impl From<csv::Error> for Failure {
-    fn from(fault: csv::Error) -> Self {
-        let message = fault.to_string();
-        Self::Output(match fault.into_kind() {
-            // As it came, so that a closed pipe is known for one.
-            csv::ErrorKind::Io(reason) => reason,
-            _ => io::Error::other(message),
-        })
-    }
-}
-
 impl From<bouncelab_audio::Error> for Failure {
     fn from(fault: bouncelab_audio::Error) -> Self {
         let advice = match &fault {
@@ -120,20 +109,5 @@ impl From<bouncelab_session::Error> for Failure {
             }
             _ => Self::Input(fault.to_string()),
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A reader that closes the pipe early gets no error, as with any other result.
-    #[test]
-    fn a_closed_pipe_is_known_behind_csv() {
-        let closed = csv::Error::from(io::Error::from(io::ErrorKind::BrokenPipe));
-        let Failure::Output(reason) = closed.into() else {
-            panic!("no output was meant");
-        };
-        assert_eq!(reason.kind(), io::ErrorKind::BrokenPipe);
     }
 }

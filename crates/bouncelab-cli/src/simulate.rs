@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use bouncelab::drag::DragLaw;
 use bouncelab::setup::Setup;
+use bouncelab_report::columns;
+use bouncelab_report::data_table::Formulas;
 use bouncelab_report::document::simulation::{Document, Run};
 use bouncelab_report::figure::{self, Curve};
 use bouncelab_report::messages::Translator;
@@ -17,7 +19,7 @@ use crate::history::HistoryArguments;
 use crate::language::{text, text_with, translator};
 use crate::physics::{PhysicsArguments, drag_law};
 use crate::report::{OutputArguments, wrote_figure};
-use crate::terminal::{print, print_json, rows};
+use crate::terminal::{print, print_data, print_json};
 
 /// Simulate a drop: a table of bounces, totals, and height against time
 #[derive(Args)]
@@ -82,7 +84,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             translator().complete_each(&mut assumptions);
             print_json(&Document::new(&runs, &physics.options, assumptions))
         }
-        Format::Csv => csv(&runs),
+        Format::Csv => print_data(columns::bounces(&runs).csv(Formulas::Guarded)),
     }
 }
 
@@ -206,12 +208,4 @@ fn height_chart(runs: &[Run], translator: &Translator) -> Chart {
         })
         .collect();
     figure::height("height", &curves, &[], translator)
-}
-
-fn csv(runs: &[Run]) -> Result<(), Failure> {
-    let mut writer = rows();
-    for row in runs.iter().flat_map(Run::bounces) {
-        writer.serialize(row)?;
-    }
-    Ok(writer.flush()?)
 }

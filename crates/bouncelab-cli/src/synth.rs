@@ -7,6 +7,8 @@ use bouncelab::Plain;
 use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, Voice};
 use bouncelab_audio::{SampleFormat, encode_wav};
+use bouncelab_report::columns;
+use bouncelab_report::data_table::Formulas;
 use bouncelab_report::mark::Mark;
 use bouncelab_report::messages::Value;
 use clap::builder::{PathBufValueParser, TypedValueParser};
@@ -260,17 +262,7 @@ impl TruthFormat {
         match self {
             Self::Text => times.map(|time| time + "\n").collect::<Vec<_>>().concat(),
             Self::Json => format!("[{}]\n", times.collect::<Vec<_>>().join(", ")),
-            Self::Csv => {
-                let rows = sound.impacts.iter().map(|impact| {
-                    let (speed, snr) = (impact.speed_m_s, impact.snr_db);
-                    format!("{},{speed},{snr},{}\n", impact.time_s, impact.lost)
-                });
-                let header = "time_s,speed_m_s,snr_db,lost\n".to_owned();
-                std::iter::once(header)
-                    .chain(rows)
-                    .collect::<Vec<_>>()
-                    .concat()
-            }
+            Self::Csv => columns::truth(sound).csv(Formulas::Guarded),
         }
     }
 }

@@ -48,8 +48,3 @@ fn streamed(
     writeln!(out)?;
     Ok(out.flush()?)
 }
-
-/// A writer of rows to stdout, to be flushed at the end.
-pub(crate) fn rows() -> csv::Writer<io::Stdout> {
-    csv::Writer::from_writer(io::stdout())
-}

@@ -104,7 +104,7 @@ fn balls_are_compared_where_that_is_asked() {
 fn a_recording_gives_restitution_and_height() {
     let folder = TempDir::new().unwrap();
     let result = json(&mut analyze(&recording(&folder)));
-    assert_eq!(result["schema"], "bouncelab.analysis/2");
+    assert_eq!(result["schema"], "bouncelab.analysis/3");
     let drop = &result["drops"][0];
     assert_eq!(drop["impacts"].as_array().unwrap().len(), 20);
     assert!((drop["impacts"][0]["time_s"].as_f64().unwrap() - 0.5).abs() < 1e-4);
@@ -138,7 +138,7 @@ fn csv_has_a_row_for_each_impact() {
         .output()
         .unwrap();
     let text = String::from_utf8(output.stdout).unwrap();
-    assert!(text.starts_with("file,drop,number,time_s,"));
+    assert!(text.starts_with("recording,drop,number,time_s,"));
     assert_eq!(text.lines().count(), 21);
 }
 

@@ -149,7 +149,7 @@ fn refusals_of_hostile_notes_and_rules_are_one_line() {
     let whole = format!("{rule}status = \"verified\"\ndrop = {{}}\nrebound = {{}}\n");
     let broken = HOSTILE.replace(r"\n", "\n");
     let session = &["session", ".", "--ball", "tennis", "--no-inference"][..];
-    let table = &[session, &["--table", "notes.csv"]].concat();
+    let notes = &[session, &["--notes", "notes.csv"]].concat();
     let rules = &["rules", "show", "a", "--rules", "rules.toml"][..];
     let cases = [
         (
@@ -183,12 +183,20 @@ fn refusals_of_hostile_notes_and_rules_are_one_line() {
             "session.toml",
             format!("[all]\nball = \"{HOSTILE}\"\n[balls.\"{HOSTILE}\"]\ncolour = 1\n"),
         ),
-        (table, "notes.csv", format!("file,ball\n\"{broken}\",b\n")),
-        (table, "notes.csv", format!("file,\na.wav,\"{broken}\"\n")),
         (
-            table,
+            notes,
             "notes.csv",
-            format!("file,\"height ({broken})\"\na.wav,1\n"),
+            format!("recording,ball\n\"{broken}\",b\n"),
+        ),
+        (
+            notes,
+            "notes.csv",
+            format!("recording,\na.wav,\"{broken}\"\n"),
+        ),
+        (
+            notes,
+            "notes.csv",
+            format!("recording,\"height ({broken})\"\na.wav,1\n"),
         ),
         (
             rules,
@@ -225,7 +233,7 @@ fn refusals_of_hostile_notes_and_rules_are_one_line() {
 fn a_spreadsheet_runs_nothing_unless_that_is_wanted() {
     let folder = TempDir::new().unwrap();
     fs::write(folder.path().join("=1+2.txt"), TIMES).unwrap();
-    let notes = "file,ball,surface,@sum\n=1+2.txt,tennis,=HYPERLINK(\"\"x\"\"),+1\n";
+    let notes = "recording,ball,surface,@sum\n=1+2.txt,tennis,=HYPERLINK(\"\"x\"\"),+1\n";
     fs::write(
         folder.path().join("notes.csv"),
         notes.replace("\"\"x\"\"", "x"),
@@ -243,7 +251,7 @@ fn a_spreadsheet_runs_nothing_unless_that_is_wanted() {
     let session = [
         "session",
         "=1+2.txt",
-        "--table",
+        "--notes",
         "notes.csv",
         "--no-inference",
         "--output",

@@ -34,13 +34,13 @@ for table in ["drops", "impacts"]:
     assert by_polars.schema["drop"] == polars.Int64
     assert by_polars.schema["restitution"] == polars.Float64
     about = pyarrow.parquet.read_schema(path).metadata
-    assert about[b"bouncelab.schema"].decode() == f"bouncelab.{table}/1"
+    assert about[b"bouncelab.schema"].decode() == f"bouncelab.{table}/2"
     units = json.loads(about[b"bouncelab.units"])
     assert set(units) <= set(by_polars.columns)
     assert set(json.loads(about[b"bouncelab.about"])) == set(by_polars.columns)
     print(f"{table}: {rows} rows, {len(units)} columns with a unit, the same by all")
 by_polars = polars.read_parquet(folder / "drops.parquet")
-assert by_polars.schema["converged"] == polars.Boolean
+assert by_polars.schema["sampling_converged"] == polars.Boolean
 joined = duckdb.sql(
     f"select count(*) from read_parquet('{folder}/drops.parquet')"
     f" join read_parquet('{folder}/impacts.parquet') using (recording, drop)"

@@ -73,11 +73,11 @@ fn a_report_never_replaces_the_recording_by_whatever_name() {
 #[test]
 fn the_notes_of_a_session_survive_its_tables() {
     let folder = Folder::new();
-    let notes = "file,ball,surface\ndrop.txt,tennis,steel\n";
+    let notes = "recording,ball,surface\ndrop.txt,tennis,steel\n";
     fs::create_dir(folder.path("s")).unwrap();
     fs::write(folder.path("s/drops.csv"), notes).unwrap();
     folder
-        .run("session drop.txt --table s/drops.csv --output s --no-inference --force")
+        .run("session drop.txt --notes s/drops.csv --output s --no-inference --force")
         .assert()
         .code(1)
         .stderr(contains("s/drops.csv").and(contains("is an input")));

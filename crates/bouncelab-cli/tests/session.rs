@@ -222,7 +222,7 @@ fn contradictions_name_both_sides() {
         ),
         (
             "notes.csv",
-            "file,ball,height (mm)\nred_25cm.wav,blue,250\n",
+            "recording,ball,height (mm)\nred_25cm.wav,blue,250\n",
         ),
     ]);
     workspace.record("red_25cm.wav", 1);
@@ -372,7 +372,7 @@ fn questions_that_make_no_sense_are_refused() {
     refused(&["--pattern", "{ball"], "has a { without a }");
     workspace
         .session()
-        .args(["--table", "nowhere.csv"])
+        .args(["--notes", "nowhere.csv"])
         .assert()
         .code(1)
         .stderr(contains("cannot read nowhere.csv"));
@@ -427,11 +427,14 @@ fn what_is_said_of_recordings_is_in_the_language_of_the_results() {
 
 #[test]
 fn what_was_assumed_is_said_of_the_recordings_that_it_concerns() {
-    let workspace = Workspace::new(&[("notes.csv", "file,ball\na.wav,tennis\nb.wav,basketball\n")]);
+    let workspace = Workspace::new(&[(
+        "notes.csv",
+        "recording,ball\na.wav,tennis\nb.wav,basketball\n",
+    )]);
     workspace.record("a.wav", 1).record("b.wav", 2);
-    let table = workspace.recordings().join("notes.csv");
+    let notes = workspace.recordings().join("notes.csv");
     let mut session = workspace.session();
-    session.arg("--no-inference").arg("--table").arg(table);
+    session.arg("--no-inference").arg("--notes").arg(notes);
     session.assert().success().stdout(contains(
         "Assumed: The ball touches the surface for 15.0 ms (in 1 of 2 recordings). The ball touches the surface for \
          5.00 ms (in 1 of 2 recordings). Air of",

@@ -69,7 +69,7 @@ fn the_document_has_the_verdict_and_its_reasons() {
     .output()
     .unwrap();
     let document: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(document["schema"], "bouncelab.verdict/2");
+    assert_eq!(document["schema"], "bouncelab.verdict/3");
     assert_eq!(document["outcome"], "pass");
     assert_eq!(document["rule"]["status"], "verified");
     assert_eq!(document["decision"]["risk"], 0.05);
@@ -81,7 +81,7 @@ fn the_document_has_the_verdict_and_its_reasons() {
         .iter()
         .map(|step| step["height_m"].as_f64().unwrap())
         .sum();
-    let plain = drop["plain_m"].as_f64().unwrap();
+    let plain = drop["drag_free_m"].as_f64().unwrap();
     let predicted = drop["predicted_m"]["value"].as_f64().unwrap();
     assert!((plain + sum - predicted).abs() < 1e-9);
 }

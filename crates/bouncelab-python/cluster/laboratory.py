@@ -103,7 +103,7 @@ def differences(session: Path, results: Path, folder: Path) -> tuple[int, int]:
     batch.explode(results, folder)
     cells = different = 0
     for table in ("drops", "impacts"):
-        keys = ["recording", "drop", "impact"] if table == "impacts" else ["recording", "drop"]
+        keys = ["recording", "drop", "number"] if table == "impacts" else ["recording", "drop"]
         expected, found = (
             parquet.read_table(place / f"{table}.parquet").sort_by([(key, "ascending") for key in keys])
             for place in (session, folder)

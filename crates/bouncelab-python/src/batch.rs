@@ -10,12 +10,13 @@ use arrow_buffer::{NullBuffer, OffsetBuffer};
 use arrow_schema::{DataType, Field, Fields, Schema};
 use bouncelab::setup::Settings;
 use bouncelab_audio::SoundFormat;
+use bouncelab_report::data_table::DataTable;
 use bouncelab_report::groups::Question;
 use bouncelab_session::batch::{
     Batch, Failure as RowFailure, FailureCode, Given, Kernel as OneByOne, KernelOptions, Row,
     RowTables,
 };
-use bouncelab_session::table::{Form, Table as Rows};
+use bouncelab_session::table::Form;
 use bouncelab_session::{Error, Outcome, StudyOptions, write_tables};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
@@ -24,7 +25,7 @@ use serde::Deserialize;
 use crate::failure::{Failure, Result};
 use crate::output::{outputs, unwritable};
 use crate::physics::translator;
-use crate::table::Table;
+use crate::table::{Arrow, arrow};
 
 /// A recording: what it is called, where it is, its content if that was read, and what was noted of it.
 type Recording = (
@@ -80,12 +81,12 @@ impl Kernel {
 
 /// Rows as a table of Arrow.
 #[pyfunction]
-pub(crate) fn batch_of_rows(rows: Vec<PyBackedBytes>) -> Result<Table> {
+pub(crate) fn batch_of_rows(rows: Vec<PyBackedBytes>) -> Result<Arrow> {
     let rows = rows.iter().map(|row| serde_json::from_slice(row));
     let rows: Vec<Row> = rows.collect::<std::result::Result<_, _>>()?;
     let mut tables = RowTables::default();
     let tables = rows.iter().map(|row| tables.of(row));
-    let tables: Vec<[Rows; 2]> = tables
+    let tables: Vec<[DataTable; 2]> = tables
         .collect::<std::result::Result<_, _>>()
         .map_err(Failure::Input)?;
     let (drops, impacts) = tables
@@ -126,7 +127,7 @@ pub(crate) fn batch_of_rows(rows: Vec<PyBackedBytes>) -> Result<Table> {
         .collect();
     let arrays = columns.into_iter().map(|(_, array)| array).collect();
     RecordBatch::try_new(Arc::new(Schema::new(fields)), arrays)
-        .map(Table)
+        .map(Arrow)
         .map_err(|fault| Failure::Input(fault.to_string()))
 }
 
@@ -169,11 +170,11 @@ fn noted(rows: &[Row]) -> Result<ArrayRef> {
 }
 
 /// A table for each row, as a list of structs; `all` is one without rows.
-fn lists(mut all: Rows, tables: Vec<Rows>) -> Result<ArrayRef> {
+fn lists(mut all: DataTable, tables: Vec<DataTable>) -> Result<ArrayRef> {
     let lengths = tables.iter().map(|table| table.rows.len());
     let offsets = OffsetBuffer::from_lengths(lengths);
     all.rows = tables.into_iter().flat_map(|table| table.rows).collect();
-    let structs = StructArray::from(Table::of(&all)?.0);
+    let structs = StructArray::from(arrow(&all)?);
     let field = Field::new("item", structs.data_type().clone(), true);
     Ok(Arc::new(ListArray::new(
         Arc::new(field),

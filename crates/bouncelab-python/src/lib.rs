@@ -1,7 +1,7 @@
 //! bouncelab for Python: the module `bouncelab._core`.
 //!
 //! The package in `python/` is what people see: typed and documented. What crosses over is plain: settings
-//! and results as JSON (the schema `bouncelab.analysis/2`), tables as streams of Arrow, numbers as bytes.
+//! and results as JSON (the schema `bouncelab.analysis/3`), tables as columns and as streams of Arrow, numbers as bytes.
 //! Whatever takes long runs without the lock of the interpreter, and asks between two steps whether to go on.
 //! Whoever calls has the threads; those of a session end before it returns, so that the module is safe after
 //! a fork.
@@ -73,7 +73,7 @@ mod _core {
     #[pymodule_export]
     use super::simulation::{Simulation, write_wav};
     #[pymodule_export]
-    use super::table::Table;
+    use super::table::{Arrow, Table};
     #[pymodule_export]
     use super::verdict::{Judge, Verdict, rules_built_in};
 

@@ -4,8 +4,11 @@ use bouncelab::air::{Air, Conditions};
 use bouncelab::ball;
 use bouncelab::diagnostic::{Code, Diagnostic};
 use bouncelab::drag::DragLaw;
+use bouncelab::flight::{Fall, Flight};
 use bouncelab::gravity;
 use bouncelab::restitution::LawKind;
+use bouncelab_report::data_table::{Cell, DataTable, Definition};
+use bouncelab_report::define_columns;
 use bouncelab_report::messages::{self, Translator};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -136,6 +139,23 @@ pub(crate) fn gravity_m_s2(py: Python<'_>, places: Vec<(f64, f64)>) -> Result<Bo
     ))
 }
 
+/// The columns of [`flights`].
+const FLIGHTS: &[Definition<fn(&Flight) -> Cell>] = define_columns! { |row: Flight|
+    launch_speed_m_s: Number ["m/s"] "speed after the impact before it" = Some(row.launch_speed_m_s);
+    impact_speed_m_s: Number ["m/s"] "speed before the impact after it" = Some(row.impact_speed_m_s);
+    apex_m: Number ["m"] "greatest height" = Some(row.apex_m);
+    rise_time_s: Number ["s"] "time up to the apex" = Some(row.rise_time_s);
+    fall_time_s: Number ["s"] "time down from the apex" = Some(row.fall_time_s);
+    flight_time_s: Number ["s"] "time between the impacts" = Some(row.time_s());
+};
+
+/// The columns of [`falls`].
+const FALLS: &[Definition<fn(&Fall) -> Cell>] = define_columns! { |row: Fall|
+    height_m: Number ["m"] "height of the release" = Some(row.height_m);
+    fall_time_s: Number ["s"] "time from the release to the impact" = Some(row.time_s);
+    impact_speed_m_s: Number ["m/s"] "speed before the impact" = Some(row.impact_speed_m_s);
+};
+
 /// The flights of a ball, by their launch speeds, flight times or apexes.
 #[pyfunction]
 pub(crate) fn flights(analyzer: &Analyzer, by: &str, values: Vec<f64>) -> Result<Table> {
@@ -146,7 +166,8 @@ pub(crate) fn flights(analyzer: &Analyzer, by: &str, values: Vec<f64>) -> Result
         _ => model.from_apex(value),
     };
     let flights = values.into_iter().map(flight);
-    Table::of_flights(&flights.collect::<bouncelab::Result<Vec<_>>>()?)
+    let flights = flights.collect::<bouncelab::Result<Vec<_>>>()?;
+    Ok(Table(DataTable::of(FLIGHTS, &flights)))
 }
 
 /// The falls of a ball from rest.
@@ -154,7 +175,8 @@ pub(crate) fn flights(analyzer: &Analyzer, by: &str, values: Vec<f64>) -> Result
 pub(crate) fn falls(analyzer: &Analyzer, heights_m: Vec<f64>) -> Result<Table> {
     let model = analyzer.setup.options.model()?;
     let falls = heights_m.into_iter().map(|height_m| model.fall(height_m));
-    Table::of_falls(&falls.collect::<bouncelab::Result<Vec<_>>>()?)
+    let falls = falls.collect::<bouncelab::Result<Vec<_>>>()?;
+    Ok(Table(DataTable::of(FALLS, &falls)))
 }
 
 /// The terminal speed of a ball, if there is drag.

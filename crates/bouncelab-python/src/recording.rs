@@ -4,14 +4,17 @@ use std::sync::OnceLock;
 
 use bouncelab::analysis::{Drop, DropCandidate, Plan, Source, StrongestBand};
 use bouncelab::detection::Envelope;
+use bouncelab::inference::Draws;
 use bouncelab::{Diagnostic, Options};
 use bouncelab_report::chart::Chart as Data;
+use bouncelab_report::columns::{DropRecord, TableKind};
+use bouncelab_report::data_table::{Cell, DataTable, Definition};
+use bouncelab_report::define_columns;
 use bouncelab_report::document::Document;
 use bouncelab_report::figure::{self, FigureInput, Mark};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::quantities;
 use bouncelab_report::report::{self, Block, Provenance};
-use bouncelab_session::RecordingTables;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use serde::{Deserialize, Serialize};
@@ -123,6 +126,13 @@ impl Recording {
     }
 }
 
+/// The columns of draws: those of the posterior of a drop, one row for each; the last one only with drag.
+const DRAWN: &[Definition<fn(&(&Draws, usize)) -> Cell>] = define_columns! { |row: (&Draws, usize)|
+    restitution: Number [""] "restitution" = row.0.restitution.get(row.1).copied();
+    drop_height_m: Number ["m"] "drop height" = row.0.drop_height_m.get(row.1).copied();
+    drag_coefficient: Number [""] "drag coefficient" = row.0.drag_coefficient.get(row.1).copied();
+};
+
 #[pymethods]
 impl Recording {
     /// A recording from what `kept` gives.
@@ -141,7 +151,7 @@ impl Recording {
         Ok((self.name.clone(), self.analyzer.clone(), kept))
     }
 
-    /// The document of the schema `bouncelab.analysis/2`, with sentences in a language.
+    /// The document of the schema `bouncelab.analysis/3`, with sentences in a language.
     fn document(&self, language: &str) -> Result<String> {
         let words = translator(language)?;
         let mut result = self.result().clone();
@@ -153,15 +163,19 @@ impl Recording {
         Ok(serde_json::to_string(&document)?)
     }
 
-    /// The tables of drops, impacts and flights.
-    fn tables(&self) -> Result<(Table, Table, Table)> {
-        let tables = RecordingTables::of(self.result());
-        let of = Table::of;
-        Ok((
-            of(&tables.drops)?,
-            of(&tables.impacts)?,
-            of(&tables.flights)?,
-        ))
+    /// A table of the recording, or of one of its drops: drops, impacts or flights.
+    #[pyo3(signature = (name, drop = None))]
+    fn table(&self, name: &str, drop: Option<usize>) -> Result<Table> {
+        let known = TableKind::ALL.map(TableKind::name);
+        let kind = TableKind::ALL.into_iter().find(|kind| kind.name() == name);
+        let kind = kind.ok_or_else(|| bouncelab::Error::unknown_name("table", name, &known))?;
+        Ok(Table(match drop {
+            None => kind.table(&self.name, self.result()),
+            Some(drop) => DataTable {
+                columns: kind.columns(),
+                rows: kind.rows(&DropRecord::from(self.at(drop))),
+            },
+        }))
     }
 
     /// Raises why a drop has no posterior, if it has none.
@@ -180,18 +194,12 @@ impl Recording {
     fn draws(&self, drop: usize) -> Result<Table> {
         let posterior = self.at(drop).posterior.as_ref().map_err(Clone::clone)?;
         let draws = &posterior.draws;
-        let columns = [
-            (["restitution", "", "restitution"], &draws.restitution),
-            (["drop_height_m", "m", "drop height"], &draws.drop_height_m),
-            (
-                ["drag_coefficient", "", "drag coefficient"],
-                &draws.drag_coefficient,
-            ),
-        ];
-        let known = columns.into_iter().filter(|(_, values)| !values.is_empty());
-        Table::of_numbers(
-            known.map(|(about, values)| (about, values.iter().copied().map(Some).collect())),
-        )
+        let drawn = match draws.drag_coefficient.is_empty() {
+            true => &DRAWN[..2],
+            false => DRAWN,
+        };
+        let rows = (0..draws.restitution.len()).map(|index| (draws, index));
+        Ok(Table(DataTable::of(drawn, rows)))
     }
 
     /// The answer in a few sentences, of a drop or of all.

@@ -36,7 +36,7 @@ type Charts = Vec<(&'static str, Chart)>;
 struct Request {
     inputs: Vec<PathBuf>,
     pattern: Option<String>,
-    table: Option<PathBuf>,
+    notes: Option<PathBuf>,
     output: Option<PathBuf>,
     by: Vec<String>,
     compare_at_m_s: Option<f64>,
@@ -55,7 +55,7 @@ impl Request {
         let mut session = Gathered::gather(&Sources {
             inputs: self.inputs.clone(),
             pattern: self.pattern.clone(),
-            table: self.table.clone(),
+            notes: self.notes.clone(),
         })?;
         let (title, unmatched_names) = (
             session.title.take(),
@@ -267,7 +267,7 @@ impl Session {
     fn tables(&self) -> Result<(Table, Table)> {
         let outcome = self.outcome(&Translator::english())?;
         let [drops, impacts] = tables(&outcome, &self.results())?;
-        Ok((Table::of(&drops)?, Table::of(&impacts)?))
+        Ok((Table(drops), Table(impacts)))
     }
 
     /// In a language: the document of the schema `bouncelab.session/2`, the figures with their names, and the report.

@@ -7,6 +7,7 @@ use bouncelab::impact::ImpactEvent;
 use bouncelab::restitution::Restitution;
 use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Reverb, Scene, Voice};
 use bouncelab_audio::{SampleFormat, encode_wav};
+use bouncelab_report::columns;
 use bouncelab_report::document::simulation::{Document, Run};
 use bouncelab_report::figure;
 use bouncelab_report::mark::Mark;
@@ -127,8 +128,8 @@ impl Simulation {
     }
 
     /// The bounces.
-    fn bounces(&self) -> Result<Table> {
-        Table::of_bounces(&self.run)
+    fn bounces(&self) -> Table {
+        Table(columns::bounces([&self.run]))
     }
 
     /// The height at each time.
@@ -165,7 +166,7 @@ impl Simulation {
         let sound = py.detach(|| synth::render(&strikes, &scene, asked.seed))?;
         let samples = sound.samples.iter().flat_map(|sample| sample.to_ne_bytes());
         let samples = PyBytes::new(py, &samples.collect::<Vec<u8>>());
-        Ok((samples, Table::of_truth(&sound)?))
+        Ok((samples, Table(columns::truth(&sound))))
     }
 }
 

@@ -131,7 +131,7 @@ impl Verdict {
 
 #[pymethods]
 impl Verdict {
-    /// The document of the schema `bouncelab.verdict/2`.
+    /// The document of the schema `bouncelab.verdict/3`.
     fn document(&self, language: &str) -> Result<String> {
         let words = translator(language)?;
         let document = VerdictDocument::new(&self.evaluation(), &words);

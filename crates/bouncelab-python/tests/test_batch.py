@@ -96,7 +96,7 @@ def test_a_session_takes_the_rows_for_its_own_results(folder: Path, results: Pat
         document = subprocess.run([*command, "--format", "json"], check=True, capture_output=True, text=True).stdout
         tables = [parquet.read_table(tmp_path / name / f"{table}.parquet") for table in ("drops", "impacts")]
         keys = [("recording", "ascending"), ("drop", "ascending")]
-        cells = [table.sort_by(keys + [("impact", "ascending")] * (table is tables[1])) for table in tables]
+        cells = [table.sort_by(keys + [("number", "ascending")] * (table is tables[1])) for table in tables]
         figures = [path.read_text() for path in sorted((tmp_path / name).glob("*.svg"))]
         return {"document": document, "cells": [table.to_pydict() for table in cells], "figures": figures}
 

@@ -18,7 +18,7 @@ from bouncelab._program import find
 def test_a_posterior_has_the_numbers_of_the_document(times: bl.Recording) -> None:
     drop = times.drops[0]
     document = times.to_dict()
-    assert document["schema"] == "bouncelab.analysis/2"
+    assert document["schema"] == "bouncelab.analysis/3"
     posterior = document["drops"][0]["posterior"]  # type: ignore[index,call-overload]
     assert drop.posterior.restitution.value == posterior["restitution"]["value"]  # type: ignore[index,call-overload]
     assert drop.posterior.restitution.interval68 == tuple(posterior["restitution"]["interval68"])  # type: ignore[index,call-overload]

@@ -101,7 +101,7 @@ def test_a_study_and_a_verdict_have_reports(study: bl.Study) -> None:
 def test_notes_come_as_rows_and_mappings(laboratory: Path) -> None:
     files = sorted(laboratory.glob("*_2?cm_?.wav"))[:4]
     notes = {str(file): {"surface": file.name.split("_")[0], "operator": "Ada, B."} for file in files}
-    rows = [{"file": file, **noted} for file, noted in notes.items()]
+    rows = [{"recording": name, **noted} for name, noted in notes.items()]
     by_file = bl.session(files, notes, ball="table-tennis-40", draws=None)
     assert by_file.drops.to_dict()["operator"] == ["Ada, B."] * 4
     assert bl.session(files, rows, ball="table-tennis-40", draws=None) == by_file
@@ -141,7 +141,7 @@ def test_a_recording_that_ends_its_process_fails_alone(
         lambda folder: bl.session(folder, pattern="{"),
         lambda folder: bl.session(folder, [{"surface": "wood"}]),
         lambda folder: bl.session(folder, [3]),
-        lambda folder: bl.session(folder, metadata=3),
+        lambda folder: bl.session(folder, notes=3),
         lambda folder: bl.session(folder, ball="table-tennis-40", draws=None, by=["colour"]),
         lambda folder: bl.session(folder, ball="table-tennis-40", draws=None, exclude=["nothing.wav"]),
         lambda folder: bl.session(folder, channel=1),

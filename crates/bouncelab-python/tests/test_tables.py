@@ -63,7 +63,7 @@ def test_daft_reads_it(table: bl.Table) -> None:
 def test_a_column_is_an_array_of_numpy(recording: bl.Recording) -> None:
     impacts = recording.impacts
     assert impacts["time_s"].dtype == np.float64
-    assert impacts["impact"].dtype == np.int64
+    assert impacts["number"].dtype == np.int64
     assert np.isnan(impacts["flight_time_s"][-1])
     assert recording.flights["in_fit"].dtype == np.bool_
     with pytest.raises(KeyError):

@@ -31,6 +31,7 @@
 //! | [`error`](Error) | errors |
 //! | [`messages`] | messages by id and language |
 //! | [`csv`] | lines of CSV |
+//! | [`data_table`] | columns and rows as data |
 //! | [`units`] | reads quantities with units |
 //! | `digits` | signs and exponents |
 //! | [`quantity`](Quantity) | digits and prefixes |
@@ -46,6 +47,7 @@
 //! | [`tables`] | tables of an analysis |
 //! | [`quantities`] | the catalogue of reported quantities |
 //! | [`document`] | an analysis as data for other programs |
+//! | [`columns`] | the tables of drops, impacts and flights as data |
 //! | [`link`] | a drop as the end of a link |
 //! | [`paper`] | the paper, recomputed |
 //! | [`report`] | an analysis as a page to read, print and repeat |
@@ -58,7 +60,9 @@
 #![warn(missing_docs)]
 
 pub mod chart;
+pub mod columns;
 pub mod csv;
+pub mod data_table;
 mod digits;
 pub mod document;
 mod error;

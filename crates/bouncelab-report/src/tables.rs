@@ -53,7 +53,7 @@ fn impact_row(drop: &Drop, index: usize, details: bool, translator: &Translator)
     let mut row = vec![
         impact.number.to_string(),
         translator.fixed(impact.time_s, 4),
-        fixed(flight.map(|f| f.time_s), 4),
+        fixed(flight.map(|f| f.flight_time_s), 4),
         fixed(apex_m.map(|apex_m| apex_m * 100.0), 2),
         fixed(corrected.map(|c| c.impact_speed_m_s), 3),
         fixed(corrected.map(|c| c.flight_time_ratio), 4),
@@ -83,7 +83,7 @@ fn impact_row(drop: &Drop, index: usize, details: bool, translator: &Translator)
 fn residual_percent(drop: &Drop, number: usize) -> Option<f64> {
     let fit = drop.log_linear_fit.as_ref().ok()?;
     let flight = drop.flight(number)?;
-    Some((flight.time_s / fit.flight_time_s(number).value - 1.0) * 100.0)
+    Some((flight.flight_time_s / fit.flight_time_s(number).value - 1.0) * 100.0)
 }
 
 /// The name of a restitution law.

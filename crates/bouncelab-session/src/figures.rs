@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use bouncelab::groups::Group;
 use bouncelab_report::Chart;
+use bouncelab_report::columns::DropRecord;
 use bouncelab_report::messages::Translator;
 
 use crate::error::Result;
-use crate::record::DropRecord;
 use crate::results::Results;
 use crate::study::Outcome;
 

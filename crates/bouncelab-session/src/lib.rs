@@ -19,7 +19,7 @@
 //! | [`report()`] | the report as a page |
 //! | [`SessionDocument`] | the statistics as JSON |
 //! | [`table`] | tables as Parquet, CSV and JSON lines |
-//! | [`write_tables`], [`tables`], [`RecordingTables`] | the tables of a session, and of one recording |
+//! | [`write_tables`], [`tables`] | the tables of a session |
 
 #![warn(missing_docs)]
 
@@ -44,7 +44,7 @@ pub mod table;
 mod work;
 
 pub use archive::ArchiveEntry;
-pub use columns::{RecordingTables, tables, write_tables};
+pub use columns::{tables, write_tables};
 pub use document::{DOCUMENT_MARK, SCHEMA, SessionDocument};
 pub use error::{Error, Result};
 pub use figures::figures;
@@ -52,7 +52,7 @@ pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions};
 pub use name::name;
 pub use notes::{Note, Notes};
 pub use pattern::Pattern;
-pub use record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord, RECORD, Record};
+pub use record::{RECORD, Record};
 pub use recordings::{RecordingFile, SESSION_FILE, Session, Sources, UnmatchedNames};
 pub use report::report;
 pub use results::{Results, Store};

@@ -38,7 +38,7 @@ pub type Notes = BTreeMap<String, Note>;
 pub(crate) struct SessionFile {
     pub(crate) title: Option<String>,
     pub(crate) pattern: Option<String>,
-    pub(crate) table: Option<PathBuf>,
+    pub(crate) notes: Option<PathBuf>,
     pub(crate) folders: Option<Vec<PathBuf>>,
     pub(crate) all: Notes,
     pub(crate) balls: BTreeMap<String, Notes>,
@@ -61,7 +61,7 @@ type Table = BTreeMap<String, Spanned<toml::Value>>;
 struct Written {
     title: Option<String>,
     pattern: Option<String>,
-    table: Option<PathBuf>,
+    notes: Option<PathBuf>,
     folders: Option<Vec<PathBuf>>,
     #[serde(default)]
     all: Table,
@@ -94,7 +94,7 @@ impl SessionFile {
         Ok(Self {
             title: written.title.map(|title| Plain::of(&title).into()),
             pattern: written.pattern,
-            table: written.table,
+            notes: written.notes,
             folders: written.folders,
             recordings: Listed {
                 file: path.to_owned(),
@@ -169,7 +169,7 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// Reads a CSV with a column `file` and one column for each field.
+/// Reads a CSV with a column `recording` and one column for each field.
 ///
 /// Commas, semicolons or tabs separate; a heading may end in a unit in brackets, as in
 /// "height (cm)"; an empty cell says nothing.
@@ -204,14 +204,14 @@ pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
             return Err(Error::notes(path, Some(1), problem));
         }
     }
-    let file = headings.iter().position(|(field, _)| field == "file");
-    let file = file.ok_or_else(|| {
+    let named = headings.iter().position(|(field, _)| field == "recording");
+    let named = named.ok_or_else(|| {
         let found: Vec<&str> = headings.iter().map(|(field, _)| field.as_str()).collect();
         Error::notes(
             path,
             Some(1),
             format!(
-                "has no column \"file\"; its columns are {}",
+                "has no column \"recording\"; its columns are {}",
                 found.join(", ")
             ),
         )
@@ -232,7 +232,7 @@ pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
         }
         let notes =
             cells
-                .filter(|(column, _)| *column != file)
+                .filter(|(column, _)| *column != named)
                 .map(|(_, ((field, unit), cell))| {
                     let number = match delimiter {
                         Some(b',') => Cow::Borrowed(cell),
@@ -251,8 +251,8 @@ pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
                 format!("has more than {MOST_CELLS} cells; leave out columns or recordings");
             return Err(Error::notes(path, line, problem));
         }
-        let named = record.get(file).unwrap_or_default().to_owned();
-        rows.push((named, line, notes));
+        let recording = record.get(named).unwrap_or_default().to_owned();
+        rows.push((recording, line, notes));
     }
     Ok(Listed {
         file: path.to_owned(),
@@ -330,7 +330,7 @@ mod tests {
         assert!(refused.contains("a device"), "{refused}");
         let columns = (0..1_000_000).map(|n| format!("a{n},"));
         let columns = columns.collect::<Vec<_>>().concat();
-        let (_folder, wide) = written("wide.csv", format!("file,{columns}\n").as_bytes());
+        let (_folder, wide) = written("wide.csv", format!("recording,{columns}\n").as_bytes());
         let refused = read_csv(&wide).err().unwrap().to_string();
         assert!(refused.contains("columns"), "{refused}");
         let deep = format!("title = {}", "[".repeat(1_000_000));
@@ -388,8 +388,7 @@ mod tests {
 
     #[test]
     fn a_csv_with_units_in_its_headings() {
-        let text =
-            "\u{feff}\nFile;Height (cm);Ball type;note\na.wav;30.5;red;\nb.wav;\"40\";;\"x;y\"\n";
+        let text = "\u{feff}\nRecording;Height (cm);Ball type;note\na.wav;30.5;red;\nb.wav;\"40\";;\"x;y\"\n";
         let (_folder, path) = written("notes.csv", text.as_bytes());
         let listed = read_csv(&path).unwrap();
         let (name, line, notes) = &listed.rows[0];
@@ -410,11 +409,11 @@ mod tests {
             ["height", "temperature", "surface"].map(|field| notes[field].text.clone())
         };
         assert_eq!(
-            noted("file;height (cm);temperature;surface\na.wav;30,5;-1,5 C;wood, 1,5 mm\n"),
+            noted("recording;height (cm);temperature;surface\na.wav;30,5;-1,5 C;wood, 1,5 mm\n"),
             ["30.5cm", "-1.5 C", "wood, 1,5 mm"]
         );
         assert_eq!(
-            noted("file,height (cm),temperature,surface\na.wav,\"30,5\",20,\"1,2\"\n"),
+            noted("recording,height (cm),temperature,surface\na.wav,\"30,5\",20,\"1,2\"\n"),
             ["30,5cm", "20", "1,2"]
         );
     }
@@ -425,21 +424,21 @@ mod tests {
             let (_folder, path) = written("notes.csv", bytes);
             read_csv(&path).unwrap_err().to_string()
         };
-        assert!(fault(b"name,height\na,1\n").contains("no column \"file\""));
-        let short = fault(b"file,height\na.wav,1\nb.wav\n");
+        assert!(fault(b"name,height\na,1\n").contains("no column \"recording\""));
+        let short = fault(b"recording,height\na.wav,1\nb.wav\n");
         assert!(
             short.contains("line 3") && short.contains("has 1 cells"),
             "{short}"
         );
-        let latin = fault(b"file,surface\na.wav,M\xfcnchen\n");
+        let latin = fault(b"recording,surface\na.wav,M\xfcnchen\n");
         assert!(
             latin.contains("line 2") && latin.contains("UTF-8"),
             "{latin}"
         );
         assert!(fault(b"").contains("no column"));
-        let twice = fault(b"file,height (cm),Height\na.wav,30,40cm\n");
+        let twice = fault(b"recording,height (cm),Height\na.wav,30,40cm\n");
         assert!(twice.contains("two columns \"height\""), "{twice}");
-        let nameless = fault(b"file,surface,\na.wav,steel,30cm\n");
+        let nameless = fault(b"recording,surface,\na.wav,steel,30cm\n");
         assert!(
             nameless.contains("line 2") && nameless.contains("\"30cm\""),
             "{nameless}"

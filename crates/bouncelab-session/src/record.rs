@@ -5,20 +5,18 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::Arc;
 
-use bouncelab::analysis::{Drop, MeasuredFlight, Recording};
-use bouncelab::diagnostic::Code;
+use bouncelab::analysis::{Drop, Recording};
 use bouncelab::groups::RestitutionCurve;
-use bouncelab::inference::Posterior;
-use bouncelab::restitution::ImpactRestitution;
-use bouncelab::{Diagnostic, Estimate, Impact, Options, Plain};
+use bouncelab::{Diagnostic, Options, Plain};
 use bouncelab_audio::Input;
+use bouncelab_report::columns::DropRecord;
 use serde::{Deserialize, Serialize};
 
 use crate::hash::{self, Hash, hash, hash_of_all};
 
 /// Name and version of the form of a [`Record`]: another whenever a record of before could not be read,
 /// or would say something else.
-pub const RECORD: &str = "bouncelab.record/2";
+pub const RECORD: &str = "bouncelab.record/3";
 
 /// What one recording says.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -31,68 +29,6 @@ pub struct Record {
     pub failure: Option<String>,
     /// What is odd about it.
     pub diagnostics: Vec<Diagnostic>,
-}
-
-/// What one drop says.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct DropRecord {
-    /// Probability that it is a drop.
-    pub probability: f64,
-    /// Its impacts, in order of time.
-    pub impacts: Vec<ImpactRecord>,
-    /// The log-linear fit: the straight line through the logarithms of the flight times.
-    pub log_linear_fit: Option<FitRecord>,
-    /// What all of it says together.
-    pub posterior: Option<PosteriorRecord>,
-    /// Why there is no posterior.
-    pub no_posterior: Option<Diagnostic>,
-    /// What is odd about it.
-    pub diagnostics: Vec<Diagnostic>,
-}
-
-/// One impact and the flight after it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ImpactRecord {
-    /// The impact.
-    pub impact: Impact,
-    /// What it kept of the speed.
-    pub restitution: Option<ImpactRestitution>,
-    /// The flight after it.
-    pub flight: Option<MeasuredFlight>,
-    /// Its weight in the inference.
-    pub weight: Option<f64>,
-}
-
-/// The answers of the log-linear fit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct FitRecord {
-    /// Restitution.
-    pub restitution: Estimate,
-    /// Drop height, m.
-    pub drop_height_m: Estimate,
-}
-
-/// The answers of the inference by which drops are compared.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PosteriorRecord {
-    /// The impact speed of [`Self::restitution`], m/s.
-    pub at_speed_m_s: f64,
-    /// Restitution at that speed.
-    pub restitution: Estimate,
-    /// Height of the fall, m.
-    pub drop_height_m: Estimate,
-    /// Drag coefficient at the fastest impact.
-    pub drag_coefficient: Option<Estimate>,
-    /// Standard deviation of ln e from impact to impact.
-    pub restitution_scatter: Estimate,
-    /// Root mean square standard error of the times, s.
-    pub timing_s: Estimate,
-    /// Probabilities of 0, 1, 2, ... impacts before the first one detected.
-    pub missed_first_impacts: Option<Vec<f64>>,
-    /// Whether the sampling can be trusted.
-    pub converged: bool,
-    /// Restitution at speeds that all drops share.
-    pub curve: RestitutionCurve,
 }
 
 impl Record {
@@ -166,7 +102,7 @@ fn analyze(input: Input, options: &Options) -> Result<Recording, Box<dyn std::er
 impl From<&Recording> for Record {
     fn from(recording: &Recording) -> Self {
         Self {
-            drops: recording.drops.iter().map(DropRecord::from).collect(),
+            drops: recording.drops.iter().map(compared).collect(),
             no_drop: recording.no_drop.clone(),
             failure: None,
             diagnostics: recording.diagnostics.clone(),
@@ -174,77 +110,11 @@ impl From<&Recording> for Record {
     }
 }
 
-impl From<&Drop> for DropRecord {
-    fn from(drop: &Drop) -> Self {
-        let posterior = drop.posterior.as_ref();
-        let weight = |number: usize| posterior.ok()?.weight(number);
-        let impacts = drop.impacts.iter().map(|&impact| ImpactRecord {
-            impact,
-            restitution: drop.impact_restitution(impact.number).copied(),
-            flight: drop.flight(impact.number).copied(),
-            weight: weight(impact.number),
-        });
-        let fit = drop.log_linear_fit.as_ref().ok();
-        Self {
-            probability: drop.probability,
-            impacts: impacts.collect(),
-            log_linear_fit: fit.map(|fit| FitRecord {
-                restitution: fit.restitution,
-                drop_height_m: fit.drop_height_m,
-            }),
-            posterior: posterior.ok().map(PosteriorRecord::from),
-            no_posterior: posterior.err().map(bouncelab::Error::diagnostic),
-            diagnostics: drop
-                .diagnostics
-                .iter()
-                .filter(|known| is_odd(known))
-                .cloned()
-                .collect(),
-        }
+/// The record of a drop, with the curve by which drops are compared.
+fn compared(drop: &Drop) -> DropRecord {
+    let mut record = DropRecord::from(drop);
+    if let (Some(posterior), Ok(of_drop)) = (&mut record.posterior, &drop.posterior) {
+        posterior.curve = RestitutionCurve::from(of_drop);
     }
-}
-
-/// Whether a diagnostic says something of this drop, and not of all drops like it.
-fn is_odd(diagnostic: &Diagnostic) -> bool {
-    !matches!(
-        diagnostic.code,
-        Code::HeightOfFirstDetected
-            | Code::DragFromPrior
-            | Code::DragOrSlope
-            | Code::NoLawWins
-            | Code::ImpactsOdd
-    )
-}
-
-impl From<&Posterior> for PosteriorRecord {
-    fn from(posterior: &Posterior) -> Self {
-        Self {
-            at_speed_m_s: posterior.at_speed_m_s,
-            restitution: posterior.restitution,
-            drop_height_m: posterior.drop_height_m,
-            drag_coefficient: posterior.drag_coefficient,
-            restitution_scatter: posterior.restitution_scatter,
-            timing_s: posterior.timing_s,
-            missed_first_impacts: posterior.missed_first_impacts.clone(),
-            converged: posterior.sampling.converged,
-            curve: RestitutionCurve::from(posterior),
-        }
-    }
-}
-
-impl PosteriorRecord {
-    /// The most probable number of impacts missed before the first one detected.
-    pub fn missed_first(&self) -> Option<usize> {
-        let numbered = self.missed_first_impacts.as_ref()?.iter().enumerate();
-        let likeliest = numbered.max_by(|a, b| a.1.total_cmp(b.1))?;
-        Some(likeliest.0)
-    }
-}
-
-impl DropRecord {
-    /// Whether the measured height contradicts the flight times.
-    pub fn height_contradicts(&self) -> bool {
-        let mut diagnostics = self.diagnostics.iter();
-        diagnostics.any(|diagnostic| diagnostic.code == Code::HeightContradictsTimes)
-    }
+    record
 }

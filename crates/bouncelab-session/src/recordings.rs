@@ -29,7 +29,7 @@ pub struct Sources {
     /// A pattern for file names; it replaces that of a session file.
     pub pattern: Option<String>,
     /// A CSV of notes; it replaces that of a session file.
-    pub table: Option<PathBuf>,
+    pub notes: Option<PathBuf>,
 }
 
 /// A recording as a file, or as an entry of an archive.
@@ -157,10 +157,10 @@ impl Session {
             session.unmatched_names = session.unmatched_names();
         }
         session.take(file.recordings)?;
-        let of_file = || Some(folder.join(file.table?));
-        if let Some(table) = sources.table.clone().or_else(of_file) {
-            session.take(read_csv(&table)?)?;
-            session.notes_files.push(table);
+        let of_file = || Some(folder.join(file.notes?));
+        if let Some(notes) = sources.notes.clone().or_else(of_file) {
+            session.take(read_csv(&notes)?)?;
+            session.notes_files.push(notes);
         }
         Ok(session)
     }
@@ -433,12 +433,12 @@ mod tests {
         let folder = folder(&[
             (
                 "session.toml",
-                "pattern = \"{ball}_{height}_{}\"\ntable = \"notes.csv\"\n[all]\noperator = \"Ada\"\n\
+                "pattern = \"{ball}_{height}_{}\"\nnotes = \"notes.csv\"\n[all]\noperator = \"Ada\"\n\
                  [recordings.\"red_30cm_1.wav\"]\nsurface = \"steel\"\n",
             ),
             (
                 "notes.csv",
-                "file,operator,surface\nred_30cm_1,Bob,\nsub/blue_40cm_2.wav,,glass\n",
+                "recording,operator,surface\nred_30cm_1,Bob,\nsub/blue_40cm_2.wav,,glass\n",
             ),
             ("red_30cm_1.wav", ""),
             ("sub/blue_40cm_2.wav", ""),
@@ -461,9 +461,9 @@ mod tests {
         let folder = folder(&[
             (
                 "session.toml",
-                "pattern = \"{ball}_{}\"\ntable = \"notes.csv\"",
+                "pattern = \"{ball}_{}\"\nnotes = \"notes.csv\"",
             ),
-            ("notes.csv", "file,ball\nred_1.wav,blue\n"),
+            ("notes.csv", "recording,ball\nred_1.wav,blue\n"),
             ("red_1.wav", ""),
         ]);
         assert_eq!(
@@ -475,13 +475,16 @@ mod tests {
     #[test]
     fn notes_of_what_is_not_there_are_refused() {
         let files = [
-            ("notes.csv", "file,ball\nred_1.wav,red\nred_2.wav,red\n"),
+            (
+                "notes.csv",
+                "recording,ball\nred_1.wav,red\nred_2.wav,red\n",
+            ),
             ("red_1.wav", ""),
         ];
         let folder = folder(&files);
         let refused = Session::gather(&Sources {
             inputs: vec![folder.path().join("red_1.wav")],
-            table: Some(folder.path().join("notes.csv")),
+            notes: Some(folder.path().join("notes.csv")),
             pattern: None,
         });
         let message = refused.unwrap_err().to_string();

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use bouncelab::diagnostic::Code;
 use bouncelab::groups::RestitutionCurve;
 use bouncelab::inference::Measured;
+use bouncelab_report::columns::{DropRecord, PosteriorRecord};
 use bouncelab_report::groups::{About, GroupStudy, NotedDrop, Question, Reason};
 use bouncelab_report::messages::Translator;
 
@@ -14,7 +15,7 @@ use crate::document::SessionDocument;
 use crate::error::{Error, Result};
 use crate::metadata::KnownRecording;
 use crate::name::without_name;
-use crate::record::{DropRecord, PosteriorRecord, Record};
+use crate::record::Record;
 use crate::results::Results;
 
 /// Options of the study of a session.

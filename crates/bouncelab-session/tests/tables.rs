@@ -3,22 +3,23 @@
 use std::fs::{self, File};
 use std::path::Path;
 
+use bouncelab_report::data_table::{Cell, Column, Kind};
 use bouncelab_report::file::Outputs;
-use bouncelab_session::table::{Cell, Column, Form, Kind, Schema, TableWriter};
+use bouncelab_session::table::{Form, Schema, TableWriter};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 use tempfile::TempDir;
 
 fn schema() -> Schema {
     let column = |name: &str, kind, unit, about: &str| Column {
-        name: name.to_owned(),
+        name: name.to_owned().into(),
         kind,
-        unit,
-        about: about.to_owned(),
+        unit: unit.into(),
+        about: about.to_owned().into(),
     };
     Schema {
         name: "drops",
-        schema: "bouncelab.drops/1",
+        schema: "bouncelab.drops/2",
         version: "0.0.0",
         columns: vec![
             column("recording", Kind::Text, "", "the file"),
@@ -66,7 +67,7 @@ fn parquet_holds_every_cell_and_its_unit() {
         let entry = entries.iter().find(|entry| entry.key == key).unwrap();
         entry.value.clone().unwrap()
     };
-    assert_eq!(value("bouncelab.schema"), "bouncelab.drops/1");
+    assert_eq!(value("bouncelab.schema"), "bouncelab.drops/2");
     assert_eq!(value("bouncelab.units"), "{\"height_m\":\"m\"}");
     assert!(value("bouncelab.about").contains("drop height"));
     assert_eq!(about.created_by(), Some("bouncelab 0.0.0"));

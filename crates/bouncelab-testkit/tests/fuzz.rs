@@ -39,7 +39,7 @@ fn the_longest_notes_fit() {
     let row = format!("red_30cm_1.wav{}\n", ",a".repeat(999));
     run(
         "notes",
-        &format!("file,{}\n{}", columns.join(","), row.repeat(8_000)),
+        &format!("recording,{}\n{}", columns.join(","), row.repeat(8_000)),
     );
 }
 

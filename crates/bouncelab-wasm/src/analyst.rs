@@ -7,12 +7,15 @@ use bouncelab::analysis::{Drop, DropTask, Plan};
 use bouncelab::detection::Envelope;
 use bouncelab::inference::PriorContraction;
 use bouncelab::setup::Setup;
-use bouncelab_report::document::{Document, rows};
+use bouncelab_report::Chart;
+use bouncelab_report::columns::TableKind;
+use bouncelab_report::data_table::Formulas;
+use bouncelab_report::document::Document;
 use bouncelab_report::figure::{self, FigureInput, Mark};
 use bouncelab_report::messages::{Translator, capital};
 use bouncelab_report::quantities::{self, QuantityList};
 use bouncelab_report::report::{self, Provenance};
-use bouncelab_report::{Chart, csv, tables};
+use bouncelab_report::tables;
 
 use crate::refusal::{Result, unknown};
 use crate::simulator;
@@ -204,9 +207,8 @@ impl Analysis<'_> {
 
     /// The impacts as CSV, its first line the names of the columns.
     pub fn csv(&self) -> String {
-        let rows = rows::of(&csv::guarded(self.request.name.clone()), &self.result);
-        let header = csv::line(&rows::HEADER);
-        header + &rows.iter().map(|row| csv::line(row)).collect::<String>()
+        let impacts = TableKind::Impacts.table(&self.request.name, &self.result);
+        impacts.csv(Formulas::Guarded)
     }
 }
 

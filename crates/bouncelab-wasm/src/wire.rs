@@ -153,7 +153,7 @@ pub struct AnalysisRequest {
 #[derive(Clone, Debug, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct Analysed<'a> {
-    /// The document of the program, `bouncelab.analysis/2`.
+    /// The document of the program, `bouncelab.analysis/3`.
     pub document: Document<'a>,
     /// The name of the ball.
     pub ball: String,

@@ -65,7 +65,7 @@
 //!
 //! None is on by default.
 //!
-//! - `serde`: the result types as JSON, which is the schema `bouncelab.analysis/2`.
+//! - `serde`: the result types as JSON, which is the schema `bouncelab.analysis/3`.
 //! - `typescript`: the same types for TypeScript.
 //!
 //! # Conventions

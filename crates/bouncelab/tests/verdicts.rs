@@ -89,7 +89,7 @@ fn the_steps_from_the_plain_height_add_up() {
     };
     let verdict = judged(&rule, &[&drop], &[]);
     let rebound = &verdict.drops[0];
-    let plain = rebound.plain_m.unwrap();
+    let plain = rebound.drag_free_m.unwrap();
     let time_s = rebound.first_flight_s.unwrap();
     assert!((plain - 9.806_65 * time_s * time_s / 8.0).abs() < 1e-9);
     let steps: f64 = rebound.steps.iter().map(|step| step.height_m).sum();

@@ -13,7 +13,6 @@ pub(crate) use read::{Analysed, read};
 use report::ReportArguments;
 pub(crate) use text::{assumed, note, report};
 
-use std::io;
 use std::ops::{Range, RangeInclusive};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -24,8 +23,10 @@ use bouncelab::analysis::{DetectionOptions, Edits};
 use bouncelab::diagnostic::Code;
 use bouncelab::setup::Setup;
 use bouncelab_audio::SoundFormat;
-use bouncelab_report::csv::guarded;
-use bouncelab_report::document::{Document, FailedDocument, labels, rows, tracker};
+use bouncelab_report::columns::{TableKind, WHICH};
+use bouncelab_report::data_table::{Formulas, columns};
+use bouncelab_report::document::{Document, FailedDocument, labels, tracker};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
@@ -34,9 +35,7 @@ use crate::language::{text, translator};
 use crate::physics::PhysicsArguments;
 use crate::priors::PriorArguments;
 use crate::report::OutputArguments;
-use crate::terminal::{
-    print, print_data, print_json, print_json_line, rows as rows_to_stdout, say,
-};
+use crate::terminal::{print, print_data, print_json, print_json_line, say};
 use crate::units;
 
 /// Detect and analyse the drops in recordings, or in lists of impact times
@@ -49,6 +48,9 @@ pub(crate) struct Arguments {
     /// How to print the result; JSON is documented in docs/json.md
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// What has a row in CSV [default: impacts]
+    #[arg(long, value_name = "WHAT", value_parser = table_kind())]
+    rows: Option<TableKind>,
     /// Write figures as SVG, PNG and PDF, and their data as CSV, into this folder
     #[arg(long, value_name = "DIR")]
     figures: Option<PathBuf>,
@@ -117,7 +119,8 @@ Examples:
   bouncelab analyze drop.wav --exclude 2.317 --include 4.1,4.25
   bouncelab analyze times.csv --format json
   bouncelab analyze drop.wav --format audacity > labels.txt   or textgrid, tracker
-  bouncelab analyze class/*.wav --format csv > class.csv";
+  bouncelab analyze class/*.wav --format csv > impacts.csv
+  bouncelab analyze class/*.wav --format csv --rows drops > drops.csv";
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Format {
@@ -125,7 +128,7 @@ enum Format {
     Text,
     /// For programs: one object; for several files, one object per line
     Json,
-    /// One row for each impact
+    /// One row for each impact, or for each drop or flight by --rows
     Csv,
     /// The impacts of one recording as a label track of Audacity
     Audacity,
@@ -159,9 +162,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if is_for_one && arguments.files.len() > 1 {
         return Err(Failure::Usage(text("analyze-one-labelled")));
     }
+    if arguments.rows.is_some() && arguments.format != Format::Csv {
+        let problem = "--rows is of a table; add --format csv";
+        return Err(Failure::Usage(problem.to_owned()));
+    }
     let outputs = arguments.outputs.outputs(&arguments.files);
     let mut report_file = arguments.report.file(&arguments.files, &outputs)?;
-    let mut printer = Printer::new(arguments)?;
+    let printer = Printer::new(arguments)?;
     let mut stems = Stems::default();
     let mut empty_handed = false;
     for file in &arguments.files {
@@ -194,7 +201,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             }
         }
     }
-    printer.finish()?;
     if empty_handed {
         Err(Failure::Input(String::new()))
     } else {
@@ -232,27 +238,27 @@ struct Printer {
     format: Format,
     details: bool,
     several: bool,
-    csv_raw: bool,
-    rows: Option<csv::Writer<io::Stdout>>,
+    rows: TableKind,
+    formulas: Formulas,
 }
 
 impl Printer {
     fn new(arguments: &Arguments) -> Result<Self, Failure> {
-        let rows = (arguments.format == Format::Csv).then(rows_to_stdout);
-        let mut printer = Self {
+        let printer = Self {
             format: arguments.format,
             details: arguments.details,
             several: arguments.files.len() > 1,
-            csv_raw: arguments.csv_raw,
-            rows,
+            rows: arguments.rows.unwrap_or(TableKind::Impacts),
+            formulas: formulas(arguments.csv_raw),
         };
-        if let Some(rows) = &mut printer.rows {
-            rows.write_record(rows::HEADER)?;
+        if printer.format == Format::Csv {
+            let columns = [columns(WHICH), printer.rows.columns()].concat();
+            print_data(printer.formulas.header(&columns))?;
         }
         Ok(printer)
     }
 
-    fn print(&mut self, analysed: &Analysed, physics: &Setup) -> Result<(), Failure> {
+    fn print(&self, analysed: &Analysed, physics: &Setup) -> Result<(), Failure> {
         match self.format {
             Format::Text if analysed.result.drops.is_empty() => Ok(()),
             Format::Text => print(report(analysed, physics, self.details)),
@@ -261,14 +267,8 @@ impl Printer {
             Format::TextGrid => print_data(labels::text_grid(&analysed.result)),
             Format::Tracker => print_data(tracker(&analysed.result, &physics.options)),
             Format::Csv => {
-                if let Some(rows) = &mut self.rows {
-                    let name = analysed.name.clone();
-                    let name = if self.csv_raw { name } else { guarded(name) };
-                    for row in rows::of(&name, &analysed.result) {
-                        rows.write_record(&row)?;
-                    }
-                }
-                Ok(())
+                let table = self.rows.table(&analysed.name, &analysed.result);
+                print_data(table.lines(self.formulas))
             }
         }
     }
@@ -293,13 +293,25 @@ impl Printer {
             print_json(document)
         }
     }
+}
 
-    fn finish(self) -> Result<(), Failure> {
-        match self.rows {
-            Some(mut rows) => Ok(rows.flush()?),
-            None => Ok(()),
-        }
+/// How texts in CSV are written that a spreadsheet would run, by `--csv-raw`.
+pub(crate) const fn formulas(csv_raw: bool) -> Formulas {
+    if csv_raw {
+        Formulas::Raw
+    } else {
+        Formulas::Guarded
     }
+}
+
+/// A kind of table by its name.
+fn table_kind() -> impl TypedValueParser<Value = TableKind> {
+    PossibleValuesParser::new(TableKind::ALL.map(TableKind::name)).try_map(|name| {
+        let mut kinds = TableKind::ALL.into_iter();
+        kinds
+            .find(|kind| kind.name() == name)
+            .ok_or("unknown table")
+    })
 }
 
 /// Reads `1..10` (both ends included), `..10`, `3..` or `5`.

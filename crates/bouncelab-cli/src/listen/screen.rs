@@ -103,7 +103,7 @@ impl Screen {
                 ("drop", number.into()),
                 ("impact", impact.number.into()),
                 ("time", Value::fixed(impact.time_s, 2)),
-                ("flight", Value::fixed(flight.time_s * 1e3, 0)),
+                ("flight", Value::fixed(flight.flight_time_s * 1e3, 0)),
                 ("rests", if going.rests { "yes" } else { "no" }.into()),
             ];
             lines.push(text_with("listen-impact", &found));
@@ -122,7 +122,11 @@ impl Screen {
             let corrected = [("restitution", restitution.into())];
             lines.push(format!("  {}", text_with("listen-corrected", &corrected)));
         }
-        let times: Vec<(usize, f64)> = drop.flights.iter().map(|f| (f.number, f.time_s)).collect();
+        let times: Vec<(usize, f64)> = drop
+            .flights
+            .iter()
+            .map(|f| (f.number, f.flight_time_s))
+            .collect();
         lines.extend(sketch::flights(&times, WIDTH));
         lines
     }

@@ -8,6 +8,7 @@ use std::io;
 use std::path::PathBuf;
 
 use bouncelab::Plain;
+use bouncelab_report::columns::TableKind;
 use bouncelab_report::file::{Outputs, remove_drafts};
 use bouncelab_report::groups::Question;
 use bouncelab_report::mark;
@@ -21,6 +22,7 @@ use bouncelab_session::{
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
+use crate::analyze::formulas;
 use crate::failure::Failure;
 use crate::language::{text as message, text_with, translator};
 use crate::physics::PhysicsArguments;
@@ -49,7 +51,7 @@ pub(crate) struct Arguments {
         long,
         value_name = "DIR",
         conflicts_with_all = [
-            "inputs", "pattern", "table", "allow_missing", "jobs", "memory", "time_limit",
+            "inputs", "pattern", "notes", "allow_missing", "jobs", "memory", "time_limit",
             "PhysicsArguments", "PriorArguments"
         ]
     )]
@@ -61,9 +63,9 @@ pub(crate) struct Arguments {
     /// is a height without its unit
     #[arg(long, value_name = "PATTERN", help_heading = "Metadata")]
     pattern: Option<String>,
-    /// CSV with a column `file` and one for each metadata field
+    /// Metadata in a CSV with a column `recording` and one for each field
     #[arg(long, value_name = "FILE", help_heading = "Metadata")]
-    table: Option<PathBuf>,
+    notes: Option<PathBuf>,
     /// Accept recordings that lack a metadata field which others have
     #[arg(long, help_heading = "Metadata")]
     allow_missing: bool,
@@ -98,7 +100,7 @@ pub(crate) struct Arguments {
     /// Print also intervals, all differences and all remarks
     #[arg(long)]
     details: bool,
-    /// Tables to write
+    /// Formats of the tables of results
     #[arg(
         long,
         value_name = "FORMS",
@@ -141,7 +143,7 @@ pub(crate) struct Arguments {
 const EXAMPLES: &str = "\
 Examples:
   bouncelab session recordings --pattern '{ball}_{surface}_{height}_{}'
-  bouncelab session recordings --table notes.csv --ball tennis
+  bouncelab session recordings --notes notes.csv --ball tennis
   bouncelab session session.toml --by surface --want 0.001
   bouncelab session session.toml --exclude red_steel_3.wav --details
   bouncelab session session.toml --report session.html
@@ -173,7 +175,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut session = Session::gather(&Sources {
         inputs: arguments.inputs.clone(),
         pattern: arguments.pattern.clone(),
-        table: arguments.table.clone(),
+        notes: arguments.notes.clone(),
     })?;
     let outputs = arguments.outputs.outputs(session.inputs());
     arguments.check(&outputs)?;
@@ -317,17 +319,18 @@ const DOCUMENT: &str = "session.json";
 impl Arguments {
     /// The forms of tables.
     fn forms(&self) -> Vec<Form> {
-        let raw = |form: &Form| match form {
-            Form::Csv if self.csv_raw => Form::RawCsv,
+        let form = |form: &Form| match form {
+            Form::Csv(_) => Form::Csv(formulas(self.csv_raw)),
             form => *form,
         };
-        self.tables.iter().map(raw).collect()
+        self.tables.iter().map(form).collect()
     }
 
     /// Whether all that will be written may be: before the work, not after it.
     fn check(&self, outputs: &Outputs) -> Result<(), Failure> {
         let tables = self.tables.iter().flat_map(|form| {
-            ["drops", "impacts"].map(|table| (form.path(&self.output, table), form.mark()))
+            let tables = [TableKind::Drops, TableKind::Impacts];
+            tables.map(|table| (form.path(&self.output, table.name()), form.mark()))
         });
         let pictures = ["groups", "intervals", "run"]
             .into_iter()

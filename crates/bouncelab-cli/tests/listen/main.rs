@@ -136,7 +136,7 @@ fn a_played_file_says_what_analyze_says() {
     assert_eq!(heard.len(), 1);
     for part in [
         "schema",
-        "file",
+        "recording",
         "settings",
         "drops",
         "diagnostics",
@@ -529,7 +529,7 @@ mod microphone {
         let is_lost = stderr.contains("not all of the sound was saved");
         assert_eq!(output.status.code(), Some(i32::from(is_lost)), "{stderr}");
         let heard = lines(&output.stdout);
-        assert_eq!(heard[0]["file"], "mic.wav");
+        assert_eq!(heard[0]["recording"], "mic.wav");
         assert_eq!(drops(&heard).len(), 1);
 
         let saved = super::samples(&folder.path().join("mic.wav"));

@@ -1,4 +1,4 @@
-"""Results as plain, immutable data. The names are those of the schema ``bouncelab.analysis/2``."""
+"""Results as plain, immutable data. The names are those of the schema ``bouncelab.analysis/3``."""
 
 from __future__ import annotations
 

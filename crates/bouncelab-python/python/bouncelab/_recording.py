@@ -54,15 +54,10 @@ class Recording(Documented):
         document: dict[str, JSON] = json.loads(self._core.document("en"))
         return document
 
-    @cached_property
-    def _tables(self) -> tuple[Table, Table, Table]:
-        drops, impacts, flights = self._core.tables()
-        return Table(drops), Table(impacts), Table(flights)
-
     @property
     def name(self) -> str:
         """The file, or what the recording is called."""
-        return str(self._document["file"])
+        return str(self._document["recording"])
 
     @property
     def source(self) -> Source:
@@ -85,15 +80,15 @@ class Recording(Documented):
         """The drops, in order of time."""
         return Drops(self)
 
-    @property
+    @cached_property
     def impacts(self) -> Table:
         """The impacts of all drops, one row for each."""
-        return self._tables[1]
+        return Table(self._core.table("impacts"))
 
-    @property
+    @cached_property
     def flights(self) -> Table:
         """The flights of all drops, one row for each."""
-        return self._tables[2]
+        return Table(self._core.table("flights"))
 
     @property
     def no_drop(self) -> Diagnostic | None:
@@ -219,15 +214,15 @@ class Drop:
     @property
     def impacts(self) -> Table:
         """The impacts, one row for each."""
-        return self._own(1)
+        return self._table("impacts")
 
     @property
     def flights(self) -> Table:
         """The flights between successive impacts, one row for each."""
-        return self._own(2)
+        return self._table("flights")
 
-    def _own(self, table: int) -> Table:
-        return Table(self._recording._tables[table]._core.of_drop(self._place + 1))
+    def _table(self, name: str) -> Table:
+        return Table(self._recording._core.table(name, self._place))
 
     @property
     def log_linear_fit(self) -> LogLinearFit:
@@ -363,7 +358,7 @@ class Drops(Table):
     __slots__ = ("_recording",)
 
     def __init__(self, recording: Recording) -> None:
-        Table.__init__(self, recording._tables[0]._core)
+        Table.__init__(self, recording._core.table("drops"))
         self._recording = recording
 
     @overload

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 #: Longest time for one recording, in seconds: that of the program.
 LONGEST_S = 600.0
 
-#: What was noted: a CSV file, notes by file, or rows with a column ``file``.
+#: What was noted: a CSV file, notes by recording, or rows with a column ``recording``.
 Notes: TypeAlias = "str | PathLike[str] | Mapping[str, Mapping[str, object]] | Iterable[Mapping[str, object]]"
 
 
@@ -92,7 +92,7 @@ class Study(Reported):
 
 def session(
     files: str | PathLike[str] | Iterable[str | PathLike[str]],
-    metadata: Notes | None = None,
+    notes: Notes | None = None,
     *,
     pattern: str | None = None,
     by: Iterable[str] = (),
@@ -112,8 +112,8 @@ def session(
     ----------
     files : path or iterable of paths
         Recordings, folders of recordings, or a ``session.toml``.
-    metadata : path, mapping or iterable of mappings, optional
-        What was noted of each: a CSV file with a column ``file``; notes by file,
+    notes : path, mapping or iterable of mappings, optional
+        What was noted of each: a CSV file with a column ``recording``; notes by recording,
         ``{"1.wav": {"surface": "steel", "height": "30 cm"}}``; or rows, such as
         ``frame.to_dict("records")`` of pandas. Quantities are texts with their unit.
     pattern : str, optional
@@ -166,11 +166,11 @@ def session(
         raise InputError("channel, band_hz, exclude_s and include_s are of single recordings; use analyze")
     settings, question = split(options)
     report = None if progress is None else Bars(progress)
-    with _table(metadata) as table:
+    with _csv(notes) as csv_of_notes:
         request = {
             "inputs": paths("files", files),
             "pattern": None if pattern is None else text("pattern", pattern),
-            "table": table,
+            "notes": csv_of_notes,
             "output": None if output is None else text("output", fspath(output)),
             "by": [text("by", field) for field in by],
             "compare_at_m_s": None if compare_at_m_s is None else number("compare_at_m_s", compare_at_m_s),
@@ -218,21 +218,21 @@ class _Work:
 
 
 @contextmanager
-def _table(metadata: Notes | None) -> Iterator[str | None]:
+def _csv(notes: Notes | None) -> Iterator[str | None]:
     """Give notes as the path of a CSV file."""
-    if metadata is None or isinstance(metadata, str | PathLike):
-        yield None if metadata is None else text("metadata", fspath(metadata))
+    if notes is None or isinstance(notes, str | PathLike):
+        yield None if notes is None else text("notes", fspath(notes))
         return
-    if isinstance(metadata, Mapping):
-        rows = [{"file": file, **_row(notes)} for file, notes in metadata.items()]
-    elif isinstance(metadata, Iterable):
-        rows = [_row(row) for row in metadata]
+    if isinstance(notes, Mapping):
+        rows = [{"recording": name, **_row(of_it)} for name, of_it in notes.items()]
+    elif isinstance(notes, Iterable):
+        rows = [_row(row) for row in notes]
     else:
-        raise InputError(f"metadata must be a path, a mapping or rows, not {type(metadata).__name__}")
-    if not all("file" in row for row in rows):
-        raise InputError("each row of metadata must have a field file, the name of its recording")
+        raise InputError(f"notes must be a path, a mapping or rows, not {type(notes).__name__}")
+    if not all("recording" in row for row in rows):
+        raise InputError("each row of notes must have a field recording, the name of its recording")
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "metadata.csv"
+        path = Path(folder) / "notes.csv"
         with path.open("w", newline="", encoding="utf-8") as file:
             fields = list(dict.fromkeys(field for row in rows for field in row))
             writer = csv.DictWriter(file, fields)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING, NamedTuple
 
 from bouncelab import _core
@@ -30,7 +29,7 @@ class Column(NamedTuple):
     Examples
     --------
     >>> import bouncelab as bl
-    >>> bl.analyze_times([0.0, 0.5, 0.9], draws=None).impacts.columns[2][:2]
+    >>> bl.analyze_times([0.0, 0.5, 0.9], draws=None).impacts.columns[3][:2]
     ('time_s', 's')
     """
 
@@ -89,11 +88,10 @@ class Table:
         """
         import numpy as np
 
-        values = self._core.column(name)
-        if isinstance(values, bytes):
-            return np.frombuffer(values)
-        array = np.array(values)
-        return array if array.dtype.kind in "ib" else np.array(values, dtype=object)
+        dtype, values = self._core.column(name)
+        array = np.array(values, dtype=dtype)
+        array.flags.writeable = False
+        return array
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
         """Return the stream of Arrow, for programs that read it."""
@@ -139,14 +137,13 @@ class Table:
         dict of list
             By name; what is not known is ``None``.
         """
-        columns = json.loads(self._core.json())
-        return {column["name"]: next(iter(column["values"].values())) for column in columns}
+        return {column.name: self._core.column(column.name)[1] for column in self.columns}
 
     def __reduce__(self) -> tuple[type[Table], tuple[_core.Table]]:
         return (Table, (self._core,))
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Table) and self._core.json() == other._core.json()
+        return isinstance(other, Table) and self._core.bytes() == other._core.bytes()
 
     def __repr__(self) -> str:
         names = ", ".join(column.name for column in self.columns)

@@ -1,13 +1,18 @@
 //! The data of a chart as rows of one table, for other drawing programs.
 
 use super::{Chart, Shape};
-use crate::csv;
+use crate::data_table::{Cell, DataTable, Definition, Formulas};
+use crate::define_columns;
 
 /// A point, a bar, a piece of a band, a rule or a text of a chart. What does not apply is `None`.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Row {
     /// The panel, from 0.
     pub panel: usize,
+    /// Label of the horizontal axis of the panel.
+    pub x_axis: String,
+    /// Label of the vertical axis of the panel.
+    pub y_axis: String,
     /// Name of the layer, as in the legend; may be empty.
     pub layer: String,
     /// What it is: "line", "points", "band", "boxes", "rule", "labels" or "marks".
@@ -39,10 +44,12 @@ impl Chart {
     /// ```
     pub fn rows(&self) -> Vec<Row> {
         let panels = self.panels.iter().enumerate();
-        let layers = panels.flat_map(|(panel, it)| it.layers.iter().map(move |it| (panel, it)));
-        let rows = layers.flat_map(|(panel, layer)| {
+        let layers = panels.flat_map(|at| at.1.layers.iter().map(move |layer| (at, layer)));
+        let rows = layers.flat_map(|((index, panel), layer)| {
             rows_of(&layer.shape).into_iter().map(move |row| Row {
-                panel,
+                panel: index,
+                x_axis: panel.x.label(),
+                y_axis: panel.y.label(),
                 layer: layer.name.clone(),
                 ..row
             })
@@ -50,34 +57,31 @@ impl Chart {
         rows.collect()
     }
 
-    /// Its data as CSV: the [rows](Self::rows), each with the axes of its panel.
+    /// Its [rows](Self::rows) as a table.
+    pub fn data(&self) -> DataTable {
+        DataTable::of(COLUMNS, self.rows())
+    }
+
+    /// Its data as CSV.
     pub fn csv(&self) -> String {
-        let lines = self.rows().into_iter().map(|row| {
-            let panel = &self.panels[row.panel];
-            let number = |value: Option<f64>| {
-                let known = value.filter(|value| value.is_finite());
-                known.map_or_else(String::new, |value| value.to_string())
-            };
-            csv::line(&[
-                row.panel.to_string(),
-                csv::guarded(panel.x.label()),
-                csv::guarded(panel.y.label()),
-                csv::guarded(row.layer),
-                row.kind.to_owned(),
-                number(row.x),
-                number(row.x_high),
-                number(row.y),
-                number(row.y_high),
-                number(row.y_sd),
-                csv::guarded(row.text.unwrap_or_default()),
-            ])
-        });
-        format!("{CSV_HEADER}\n{}", lines.collect::<String>())
+        self.data().csv(Formulas::Guarded)
     }
 }
 
-/// The first line of the data of a figure, by which bouncelab knows that the file is its own.
-const CSV_HEADER: &str = "panel,x_axis,y_axis,layer,kind,x,x_high,y,y_high,y_sd,text";
+/// The columns of the data of a figure, by whose first ones bouncelab knows that the file is its own.
+const COLUMNS: &[Definition<fn(&Row) -> Cell>] = define_columns! { |row: Row|
+    panel: Count [""] "panel, from 0" = Some(row.panel);
+    x_axis: Text [""] "label of the horizontal axis of the panel" = Some(row.x_axis.clone());
+    y_axis: Text [""] "label of the vertical axis of the panel" = Some(row.y_axis.clone());
+    layer: Text [""] "name in the legend" = Some(row.layer.clone());
+    kind: Text [""] "line, points, band, boxes, rule, labels or marks" = Some(row.kind.to_owned());
+    x: Number [""] "horizontal value, or left end" = row.x;
+    x_high: Number [""] "right end of a box" = row.x_high;
+    y: Number [""] "vertical value, or lower end" = row.y;
+    y_high: Number [""] "upper end of a band or a box" = row.y_high;
+    y_sd: Number [""] "standard error of the vertical value" = row.y_sd;
+    text: Text [""] "text at a point" = row.text.clone();
+};
 
 fn rows_of(shape: &Shape) -> Vec<Row> {
     let at = |kind, [x, y]: [f64; 2]| Row {

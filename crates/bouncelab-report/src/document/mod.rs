@@ -1,7 +1,7 @@
 //! Results as data for other programs.
 //!
-//! The schema `bouncelab.analysis/2` is the result types of the science themselves
-//! ([`bouncelab::Recording`]) with the name of the file, the settings and the version. Every quantity is
+//! The schema `bouncelab.analysis/3` is the result types of the science themselves
+//! ([`bouncelab::Recording`]) with the name of the recording, the settings and the version. Every quantity is
 //! in SI and carries its unit in its name. An unknown value is `null`. Within a version fields are
 //! only ever added, so that a program may ignore what it does not know.
 //!
@@ -15,13 +15,12 @@
 //! Translator::english().complete(&mut result);
 //! let document = Document::new("drop.txt", &result, &options, &[]);
 //! let json = serde_json::to_value(&document)?;
-//! assert_eq!(json["schema"], "bouncelab.analysis/2");
+//! assert_eq!(json["schema"], "bouncelab.analysis/3");
 //! assert_eq!(json["drops"][0]["impacts"][1]["time_s"], 0.4605);
 //! # Ok::<(), serde_json::Error>(())
 //! ```
 
 pub mod labels;
-pub mod rows;
 pub mod simulation;
 mod tracker;
 pub mod verdict;
@@ -32,7 +31,7 @@ use serde::Serialize;
 pub use tracker::tracker;
 
 /// Name and version of the schema.
-pub const SCHEMA: &str = "bouncelab.analysis/2";
+pub const SCHEMA: &str = "bouncelab.analysis/3";
 
 /// The result of one file.
 #[derive(Clone, Debug, Serialize)]
@@ -42,10 +41,10 @@ pub struct Document<'a> {
     schema: &'static str,
     /// Version of the program that made it.
     bouncelab: &'static str,
-    file: &'a str,
+    recording: &'a str,
     settings: Settings,
     #[serde(flatten)]
-    recording: &'a Recording,
+    result: &'a Recording,
 }
 
 /// The document of a file that could not be read: no drop, and the reason.
@@ -53,7 +52,7 @@ pub struct Document<'a> {
 pub struct FailedDocument<'a> {
     schema: &'static str,
     bouncelab: &'static str,
-    file: &'a str,
+    recording: &'a str,
     settings: (),
     source: (),
     drops: [(); 0],
@@ -80,30 +79,30 @@ pub(crate) struct Settings {
 }
 
 impl<'a> Document<'a> {
-    /// The document of a file.
+    /// The document of a recording of this name.
     pub fn new(
-        file: &'a str,
-        recording: &'a Recording,
+        recording: &'a str,
+        result: &'a Recording,
         options: &Options,
         assumptions: &[Diagnostic],
     ) -> Self {
         Self {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),
-            file,
-            settings: Settings::new(options, assumptions),
             recording,
+            settings: Settings::new(options, assumptions),
+            result,
         }
     }
 }
 
 impl<'a> FailedDocument<'a> {
     /// The document of a file that could not be read, for this reason.
-    pub const fn new(file: &'a str, reason: &'a Diagnostic) -> Self {
+    pub const fn new(recording: &'a str, reason: &'a Diagnostic) -> Self {
         Self {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),
-            file,
+            recording,
             settings: (),
             source: (),
             drops: [],

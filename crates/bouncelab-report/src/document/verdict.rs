@@ -1,4 +1,4 @@
-//! A verdict as data: the schema `bouncelab.verdict/2`.
+//! A verdict as data: the schema `bouncelab.verdict/3`.
 
 use bouncelab::rulebook::{
     self, Decision, InconclusiveReason, Limits, Outcome, Remark, Requirement, Rule,
@@ -11,7 +11,7 @@ use super::Settings;
 use crate::messages::Translator;
 
 /// Name and version of the schema.
-pub const SCHEMA: &str = "bouncelab.verdict/2";
+pub const SCHEMA: &str = "bouncelab.verdict/3";
 
 /// The conformity of drops with a rule.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -33,7 +33,7 @@ pub struct VerdictDocument {
     unevenness: Option<Estimate>,
     accepted: Option<Ends>,
     /// Means over the drops, by simpler formulas.
-    plain_m: Option<f64>,
+    drag_free_m: Option<f64>,
     formula_m: Option<f64>,
     drops: Vec<Drop>,
     reference_drops: Vec<Drop>,
@@ -73,10 +73,10 @@ struct DecisionUsed {
 /// One drop; heights are of the point at which the rule measures.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Drop {
-    file: String,
+    recording: String,
     predicted_m: Option<Estimate>,
     first_flight_s: Option<f64>,
-    plain_m: Option<f64>,
+    drag_free_m: Option<f64>,
     formula_m: Option<f64>,
     steps: Vec<Step>,
 }
@@ -139,7 +139,7 @@ impl VerdictDocument {
             share_of_reference: verdict.share,
             unevenness: verdict.unevenness,
             accepted: verdict.accepted.map(Ends::from),
-            plain_m: verdict.plain_m(),
+            drag_free_m: verdict.drag_free_m(),
             formula_m: verdict.formula_m(),
             drops: drops(&verdict.drops, files),
             reference_drops: drops(&verdict.reference_drops, reference_files),
@@ -161,10 +161,10 @@ fn drops(rebounds: &[rulebook::Rebound], files: &[String]) -> Vec<Drop> {
     rebounds
         .iter()
         .map(|rebound| Drop {
-            file: files.get(rebound.place).cloned().unwrap_or_default(),
+            recording: files.get(rebound.place).cloned().unwrap_or_default(),
             predicted_m: rebound.predicted_m,
             first_flight_s: rebound.first_flight_s,
-            plain_m: rebound.plain_m,
+            drag_free_m: rebound.drag_free_m,
             formula_m: rebound.formula_m,
             steps: rebound
                 .steps

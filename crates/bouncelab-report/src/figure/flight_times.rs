@@ -46,7 +46,7 @@ impl From<&bouncelab::regression::LogLinearFit> for Line {
 pub(super) fn of_drop(input: &FigureInput<'_>, translator: &Translator) -> Chart {
     let flights = input.drop.flights.iter().map(|flight| TimedFlight {
         number: flight.number,
-        time_s: flight.time_s,
+        time_s: flight.flight_time_s,
         used: flight.in_fit,
     });
     let line = input.drop.log_linear_fit.as_ref().ok().map(Line::from);

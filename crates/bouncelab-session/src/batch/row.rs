@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use bouncelab::Plain;
 use bouncelab::setup::Settings;
+use bouncelab_report::data_table::DataTable;
 use serde::{Deserialize, Serialize};
 
 use crate::columns::{empty_tables_of_one, tables_of_one};
@@ -14,7 +15,6 @@ use crate::journal::Key;
 use crate::metadata::{KnownRecording, Metadata};
 use crate::record::Record;
 use crate::recordings::RecordingFile;
-use crate::table::Table;
 
 /// The result of one recording, or why there is none. It depends only on the content of the recording, its name, the notes
 /// about it and the settings.
@@ -136,7 +136,7 @@ pub struct RowTables(KnownMetadata);
 
 impl RowTables {
     /// The tables without rows.
-    pub fn empty() -> [Table; 2] {
+    pub fn empty() -> [DataTable; 2] {
         empty_tables_of_one()
     }
 
@@ -144,7 +144,7 @@ impl RowTables {
     ///
     /// # Errors
     /// The reason, if its settings are refused, which does not happen to rows of a [`Kernel`](super::Kernel).
-    pub fn of(&mut self, row: &Row) -> Result<[Table; 2], String> {
+    pub fn of(&mut self, row: &Row) -> Result<[DataTable; 2], String> {
         let (Some(record), Some(content), Some(settings)) =
             (&row.record, row.content, row.settings)
         else {

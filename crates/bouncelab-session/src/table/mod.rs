@@ -10,6 +10,7 @@ mod text;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use bouncelab_report::data_table::{Cell, Column, Formulas};
 use bouncelab_report::file::{Draft, Outputs};
 use bouncelab_report::mark::Mark;
 
@@ -17,51 +18,12 @@ use crate::error::{Error, Result};
 use parquet::ParquetTable;
 use text::{CsvTable, JsonTable};
 
-/// What the cells of a column hold; any cell may be empty.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// Text.
-    Text,
-    /// A number.
-    Number,
-    /// A whole number.
-    Count,
-    /// Yes or no.
-    Flag,
-}
-
-/// A column of a table.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Column {
-    /// Its name, with the unit at its end if there is one: `height_m`.
-    pub name: String,
-    /// What its cells hold.
-    pub kind: Kind,
-    /// Its unit, as in "m/s"; empty for text and plain numbers.
-    pub unit: &'static str,
-    /// What it means, in one sentence.
-    pub about: String,
-}
-
-/// A cell; `None` is not known.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Cell {
-    /// Text.
-    Text(Option<String>),
-    /// A number; one that is not finite counts as not known.
-    Number(Option<f64>),
-    /// A whole number.
-    Count(Option<usize>),
-    /// Yes or no.
-    Flag(Option<bool>),
-}
-
 /// What a table is: its name, schema and columns.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Schema {
     /// The name of its files, without ending.
     pub name: &'static str,
-    /// Name and version of the schema, as in "bouncelab.drops/1".
+    /// Name and version of the schema, as in "bouncelab.drops/2".
     pub schema: &'static str,
     /// Version of the program that writes it.
     pub version: &'static str,
@@ -69,47 +31,26 @@ pub struct Schema {
     pub columns: Vec<Column>,
 }
 
-/// A table in memory.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Table {
-    /// What it is.
-    pub schema: Schema,
-    /// Its rows, each with a cell for each column.
-    pub rows: Vec<Vec<Cell>>,
-}
-
-impl Table {
-    /// A table without rows.
-    pub const fn new(schema: Schema) -> Self {
-        Self {
-            schema,
-            rows: Vec::new(),
-        }
-    }
-}
-
 /// The form of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Form {
     /// Apache Parquet, compressed by Snappy.
     Parquet,
-    /// Comma-separated values with a header. A text that a spreadsheet would run begins with `'`.
-    Csv,
-    /// As CSV, with texts that a spreadsheet would run.
-    RawCsv,
+    /// Comma-separated values with a header.
+    Csv(Formulas),
     /// One JSON object a line.
     JsonLines,
 }
 
 impl Form {
-    /// Every form but the raw one.
-    pub const ALL: [Self; 3] = [Self::Parquet, Self::Csv, Self::JsonLines];
+    /// Every form; formulas in CSV are guarded.
+    pub const ALL: [Self; 3] = [Self::Parquet, Self::Csv(Formulas::Guarded), Self::JsonLines];
 
     /// How names of its files end.
     pub const fn ending(self) -> &'static str {
         match self {
             Self::Parquet => "parquet",
-            Self::Csv | Self::RawCsv => "csv",
+            Self::Csv(_) => "csv",
             Self::JsonLines => "jsonl",
         }
     }
@@ -123,7 +64,7 @@ impl Form {
     pub const fn mark(self) -> Mark {
         match self {
             Self::Parquet => Mark::first("PAR1").and_near_an_end("bouncelab.schema"),
-            Self::Csv | Self::RawCsv => {
+            Self::Csv(_) => {
                 Mark::first("recording,drop,").and_near_an_end(",restitution,restitution_sd,")
             }
             Self::JsonLines => {
@@ -176,9 +117,8 @@ impl TableWriter {
             let file = draft.file().try_clone().map_err(Error::output(&path))?;
             let rows: Box<dyn Rows> = match form {
                 Form::Parquet => Box::new(ParquetTable::new(file, schema).map_err(failed(&path))?),
-                Form::Csv | Form::RawCsv => {
-                    let is_raw = form == Form::RawCsv;
-                    Box::new(CsvTable::new(file, schema, is_raw).map_err(failed(&path))?)
+                Form::Csv(formulas) => {
+                    Box::new(CsvTable::new(file, schema, formulas).map_err(failed(&path))?)
                 }
                 Form::JsonLines => Box::new(JsonTable::new(file, schema)),
             };

@@ -5,15 +5,18 @@
 use std::fs::File;
 use std::sync::Arc;
 
+use bouncelab_report::data_table::{Cell, Column, Kind};
 use parquet::basic::{Compression, ConvertedType, LogicalType, Repetition, Type as Physical};
-use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DoubleType, Int64Type};
+use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
-use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
+use parquet::file::writer::{
+    SerializedColumnWriter, SerializedFileWriter, SerializedRowGroupWriter,
+};
 use parquet::schema::types::{Type, TypePtr};
 
-use super::{Cell, Column, Kind, Rows, Schema};
+use super::{Rows, Schema};
 
 /// Rows that are held back and written together: a few megabytes.
 const GROUP: usize = 4096;
@@ -87,7 +90,7 @@ fn metadata(schema: &Schema) -> Vec<KeyValue> {
     let of_columns = |text: &dyn Fn(&Column) -> String| {
         let entries = schema.columns.iter().filter_map(|column| {
             let text = text(column);
-            (!text.is_empty()).then(|| (column.name.clone(), serde_json::Value::from(text)))
+            (!text.is_empty()).then(|| (column.name.to_string(), serde_json::Value::from(text)))
         });
         serde_json::Value::Object(entries.collect()).to_string()
     };
@@ -96,11 +99,11 @@ fn metadata(schema: &Schema) -> Vec<KeyValue> {
         ("bouncelab.version", schema.version.to_owned()),
         (
             "bouncelab.units",
-            of_columns(&|column| column.unit.to_owned()),
+            of_columns(&|column| column.unit.to_string()),
         ),
         (
             "bouncelab.about",
-            of_columns(&|column| column.about.clone()),
+            of_columns(&|column| column.about.to_string()),
         ),
     ]
     .map(|(key, value)| KeyValue::new(key.to_owned(), Some(value)))
@@ -137,49 +140,29 @@ fn write_column(
     kind: Kind,
     cells: &[Cell],
 ) -> Result<(), ParquetError> {
-    let mut writer = group
+    let mut column = group
         .next_column()?
         .ok_or_else(|| ParquetError::General("too many columns".to_owned()))?;
+    let writer = &mut column;
     match kind {
         Kind::Text => {
-            let (values, known) = split(cells, |cell| match cell {
-                Cell::Text(text) => text.as_deref().map(ByteArray::from),
-                _ => None,
-            });
-            let column = writer.typed::<ByteArrayType>();
-            column.write_batch(&values, Some(&known), None)?;
+            write::<ByteArrayType>(writer, cells, |cell| cell.text().map(ByteArray::from))
         }
-        Kind::Number => {
-            let (values, known) = split(cells, |cell| match cell {
-                Cell::Number(number) => number.filter(|number| number.is_finite()),
-                _ => None,
-            });
-            let column = writer.typed::<DoubleType>();
-            column.write_batch(&values, Some(&known), None)?;
-        }
-        Kind::Count => {
-            let (values, known) = split(cells, |cell| match cell {
-                Cell::Count(count) => count.and_then(|count| i64::try_from(count).ok()),
-                _ => None,
-            });
-            let column = writer.typed::<Int64Type>();
-            column.write_batch(&values, Some(&known), None)?;
-        }
-        Kind::Flag => {
-            let (values, known) = split(cells, |cell| match cell {
-                Cell::Flag(flag) => *flag,
-                _ => None,
-            });
-            let column = writer.typed::<BoolType>();
-            column.write_batch(&values, Some(&known), None)?;
-        }
-    }
-    writer.close()
+        Kind::Number => write::<DoubleType>(writer, cells, Cell::number),
+        Kind::Count => write::<Int64Type>(writer, cells, Cell::count),
+        Kind::Flag => write::<BoolType>(writer, cells, Cell::flag),
+    }?;
+    column.close()
 }
 
-/// The values that are known, and for each cell whether it is one (its definition level).
-fn split<T>(cells: &[Cell], value: impl Fn(&Cell) -> Option<T>) -> (Vec<T>, Vec<i16>) {
-    let all: Vec<Option<T>> = cells.iter().map(value).collect();
-    let known = all.iter().map(|value| i16::from(value.is_some())).collect();
-    (all.into_iter().flatten().collect(), known)
+/// Writes the values that are known, and for each cell whether it is one (its definition level).
+fn write<T: DataType>(
+    column: &mut SerializedColumnWriter<'_>,
+    cells: &[Cell],
+    value: fn(&Cell) -> Option<T::T>,
+) -> Result<usize, ParquetError> {
+    let all: Vec<Option<T::T>> = cells.iter().map(value).collect();
+    let known: Vec<i16> = all.iter().map(|value| i16::from(value.is_some())).collect();
+    let values: Vec<T::T> = all.into_iter().flatten().collect();
+    column.typed::<T>().write_batch(&values, Some(&known), None)
 }

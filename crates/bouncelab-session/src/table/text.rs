@@ -3,46 +3,37 @@
 use std::fs::File;
 use std::io::{BufWriter, Write};
 
-use bouncelab_report::csv::guarded;
+use bouncelab_report::data_table::{Cell, Formulas};
 use serde::Serializer;
 use serde_json::Value;
 
-use super::{Cell, Rows, Schema};
+use super::{Rows, Schema};
 
 /// Comma-separated values.
 pub(super) struct CsvTable {
-    writer: csv::Writer<File>,
-    is_raw: bool,
+    writer: BufWriter<File>,
+    formulas: Formulas,
 }
 
 impl CsvTable {
-    /// A raw table has texts as they are, even those that a spreadsheet would run.
-    pub(super) fn new(file: File, schema: &Schema, is_raw: bool) -> Result<Self, String> {
-        let mut writer = csv::Writer::from_writer(file);
-        let names = schema.columns.iter().map(|column| column.name.clone());
-        let header = names.map(|name| if is_raw { name } else { guarded(name) });
-        writer
-            .write_record(header)
-            .map_err(|fault| fault.to_string())?;
-        Ok(Self { writer, is_raw })
+    pub(super) fn new(file: File, schema: &Schema, formulas: Formulas) -> Result<Self, String> {
+        let mut table = Self {
+            writer: BufWriter::new(file),
+            formulas,
+        };
+        table.write(&formulas.header(&schema.columns))?;
+        Ok(table)
+    }
+
+    fn write(&mut self, line: &str) -> Result<(), String> {
+        let written = self.writer.write_all(line.as_bytes());
+        written.map_err(|fault| fault.to_string())
     }
 }
 
 impl Rows for CsvTable {
     fn row(&mut self, row: &[Cell]) -> Result<(), String> {
-        let known = |cell: &Cell| match cell {
-            Cell::Text(text) if self.is_raw => text.clone(),
-            Cell::Text(text) => text.clone().map(guarded),
-            Cell::Number(number) => number
-                .filter(|number| number.is_finite())
-                .map(|number| number.to_string()),
-            Cell::Count(count) => count.map(|count| count.to_string()),
-            Cell::Flag(flag) => flag.map(|flag| flag.to_string()),
-        };
-        let cells = row.iter().map(|cell| known(cell).unwrap_or_default());
-        self.writer
-            .write_record(cells)
-            .map_err(|fault| fault.to_string())
+        self.write(&self.formulas.line(row))
     }
 
     fn finish(mut self: Box<Self>) -> Result<(), String> {
@@ -59,7 +50,7 @@ pub(super) struct JsonTable {
 impl JsonTable {
     pub(super) fn new(file: File, schema: &Schema) -> Self {
         Self {
-            names: schema.columns.iter().map(|c| c.name.clone()).collect(),
+            names: schema.columns.iter().map(|c| c.name.to_string()).collect(),
             writer: BufWriter::new(file),
         }
     }
@@ -69,11 +60,10 @@ impl Rows for JsonTable {
     fn row(&mut self, row: &[Cell]) -> Result<(), String> {
         let cells = std::iter::zip(&self.names, row).map(|(name, cell)| {
             let value = match cell {
-                Cell::Text(text) => Value::from(text.as_deref()),
-                // What is not finite becomes null.
-                Cell::Number(number) => Value::from(*number),
-                Cell::Count(count) => Value::from(*count),
-                Cell::Flag(flag) => Value::from(*flag),
+                Cell::Text(_) => Value::from(cell.text()),
+                Cell::Number(_) => Value::from(cell.number()),
+                Cell::Count(_) => Value::from(cell.count()),
+                Cell::Flag(_) => Value::from(cell.flag()),
             };
             (name, value)
         });

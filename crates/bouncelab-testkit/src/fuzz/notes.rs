@@ -22,7 +22,7 @@ pub(super) fn read_session(bytes: &[u8]) {
         .parse()
         .unwrap_or_default();
     let folders = written.get("folders").and_then(toml::Value::as_array);
-    let mut named = folders.into_iter().flatten().chain(written.get("table"));
+    let mut named = folders.into_iter().flatten().chain(written.get("notes"));
     let is_within = |path: &str| {
         let mut parts = Path::new(path).components();
         parts.all(|part| matches!(part, Component::Normal(_) | Component::CurDir))
@@ -33,7 +33,8 @@ pub(super) fn read_session(bytes: &[u8]) {
     let folder = folder(&RECORDINGS);
     fs::write(folder.path().join("session.toml"), bytes).expect("a file in an own folder");
     // It may name the folder twice, or none with recordings in it.
-    fs::write(folder.path().join("notes.csv"), "file,surface\n").expect("a file in an own folder");
+    fs::write(folder.path().join("notes.csv"), "recording,surface\n")
+        .expect("a file in an own folder");
     if let Err(problem) = gather(vec![folder.path().to_owned()], None, None) {
         assert!(!problem.to_string().is_empty());
     }
@@ -86,7 +87,7 @@ pub(super) fn gather(
     let session = Session::gather(&Sources {
         inputs,
         pattern,
-        table,
+        notes: table,
     })?;
     MetadataOptions {
         settings: &Settings {

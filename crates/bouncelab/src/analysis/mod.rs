@@ -374,7 +374,7 @@ pub fn analyze_impacts(impacts: Vec<Impact>, options: &Options) -> Drop {
         .filter(|flight| flight.in_fit)
         .map(|flight| NumberedFlight {
             number: flight.number,
-            time_s: flight.time_s,
+            time_s: flight.flight_time_s,
         })
         .collect();
     let log_linear_fit = regression::fit(&in_fit, options.environment.gravity_m_s2);
@@ -422,7 +422,7 @@ fn flights(
     successive
         .map(|pair| {
             let number = pair[0].number;
-            let time_s = pair[1].time_s - pair[0].time_s;
+            let flight_time_s = pair[1].time_s - pair[0].time_s;
             let gravity_m_s2 = options.environment.gravity_m_s2;
             let in_fit = match &options.flights {
                 Some(range) => range.contains(&number),
@@ -431,9 +431,9 @@ fn flights(
             let modelled = modelled(number);
             MeasuredFlight {
                 number,
-                time_s,
+                flight_time_s,
                 in_fit,
-                drag_free_height_m: regression::height_of_flight_m(time_s, gravity_m_s2),
+                drag_free_height_m: regression::height_of_flight_m(flight_time_s, gravity_m_s2),
                 apex_m: modelled.map(|modelled| modelled.flight.apex_m),
                 apex_sd_m: modelled.and_then(|modelled| modelled.apex_sd_m),
                 launch_speed_m_s: modelled.map(|modelled| modelled.flight.launch_speed_m_s),
@@ -494,7 +494,7 @@ fn diagnostics(
     if gains.is_empty() {
         let grows = flights
             .windows(2)
-            .find(|pair| pair[1].time_s > GROWS * pair[0].time_s);
+            .find(|pair| pair[1].flight_time_s > GROWS * pair[0].flight_time_s);
         if let (Some(pair), None) = (grows, per_impact) {
             let grows = Diagnostic::new(Code::FlightGrows);
             diagnostics.push(grows.with("flight", pair[1].number));

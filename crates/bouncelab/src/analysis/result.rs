@@ -1,5 +1,5 @@
 //! The result types of a recording and its drops, which are the JSON schema
-//! `bouncelab.analysis/2`.
+//! `bouncelab.analysis/3`.
 
 use super::{BallComparison, Options};
 #[cfg(feature = "serde")]
@@ -142,7 +142,7 @@ pub struct MeasuredFlight {
     /// Number of the impact with which it begins.
     pub number: usize,
     /// Time between the two impacts in seconds, contact included.
-    pub time_s: f64,
+    pub flight_time_s: f64,
     /// Whether it goes into the log-linear fit.
     pub in_fit: bool,
     /// Apex height in metres by g T²/8, without drag (paper Eq. 5).

@@ -18,7 +18,7 @@ pub struct Rebound {
     /// Time between its first and second impact, s, if both were heard.
     pub first_flight_s: Option<f64>,
     /// That flight as g T²/8.
-    pub plain_m: Option<f64>,
+    pub drag_free_m: Option<f64>,
     /// That flight by the rule's own formula.
     pub formula_m: Option<f64>,
     /// What lies between the plain height and the predicted one.
@@ -90,7 +90,7 @@ impl Rebound {
             place,
             predicted_m,
             first_flight_s,
-            plain_m: first_flight_s.map(plain),
+            drag_free_m: first_flight_s.map(plain),
             formula_m: first_flight_s.and_then(by_formula),
             steps,
             draws,
@@ -106,7 +106,7 @@ fn first_flight_s(drop: &Drop) -> Option<f64> {
         return None;
     }
     let first = drop.flights.first().filter(|flight| flight.number == 1)?;
-    Some(first.time_s)
+    Some(first.flight_time_s)
 }
 
 /// From g T²/8 to the predicted rebound of the lowest point, in steps that add up.

@@ -117,8 +117,8 @@ impl Verdict {
     }
 
     /// Mean over the drops of the plain g T²/8 of their first flights, m; `None` unless all have one.
-    pub fn plain_m(&self) -> Option<f64> {
-        mean_of(&self.drops, |drop| drop.plain_m)
+    pub fn drag_free_m(&self) -> Option<f64> {
+        mean_of(&self.drops, |drop| drop.drag_free_m)
     }
 
     /// Mean over the drops of the rule's own formula, m.

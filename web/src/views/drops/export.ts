@@ -3,7 +3,7 @@ import { LIST_FORMAT, LIST_VERSION } from '../../store/archive.ts';
 import type { KeptDrop } from '../../store/drops.ts';
 
 const COLUMNS = [
-  'name',
+  'recording',
   'kept_at',
   'student',
   'ball',

@@ -30,7 +30,7 @@ pub fn ways(verdict: &Verdict, translator: &Translator) -> Table {
         }
     }
     let plain = [
-        ("verdict-plain", verdict.plain_m()),
+        ("verdict-plain", verdict.drag_free_m()),
         ("verdict-formula", verdict.formula_m()),
     ];
     for (id, height_m) in plain {
@@ -102,7 +102,7 @@ pub fn drops(drops: &[Rebound], files: &[String], translator: &Translator) -> Ta
             files.get(drop.place).cloned().unwrap_or_default(),
             drop.first_flight_s
                 .map_or_else(String::new, |time_s| translator.fixed(time_s, 4)),
-            shown(drop.plain_m),
+            shown(drop.drag_free_m),
         ];
         if with_formula {
             row.push(shown(drop.formula_m));
