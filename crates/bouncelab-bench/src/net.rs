@@ -157,7 +157,7 @@ impl Numbers {
         }
         for flight in &drop.flights {
             let name = format!("flight {}", flight.number);
-            self.add(format!("{name} time"), flight.time_s);
+            self.add(format!("{name} time"), flight.flight_time_s);
             self.count(format!("{name} in fit"), usize::from(flight.in_fit));
             self.add(
                 format!("{name} drag-free height"),
