@@ -143,8 +143,12 @@ fn a_folder_with_names_that_speak() {
     let page = fs::read_to_string(report).unwrap();
     assert!(page.contains("4 drops in 4 recordings") && page.contains("<svg"));
     let csv = fs::read_to_string(workspace.results().join("drops.csv")).unwrap();
-    assert!(csv.starts_with("recording,drop,ball,height,noted_height_m,"));
-    assert!(csv.contains("blue_25cm_1.wav,1,blue,25 cm,0.25,"));
+    assert!(csv.starts_with("recording,drop,ball,height,start_s,impacts,"));
+    assert!(csv.contains("blue_25cm_1.wav,1,blue,25 cm,0."), "{csv}");
+    let lines = fs::read_to_string(workspace.results().join("drops.jsonl")).unwrap();
+    let first: serde_json::Value = serde_json::from_str(lines.lines().next().unwrap()).unwrap();
+    assert_eq!(first["recording"], "blue_25cm_1.wav");
+    assert_eq!(first["noted_height_m"], 0.25);
 }
 
 /// With the same names, and by processes of their own, so that they find the same recordings.
@@ -218,7 +222,7 @@ fn contradictions_name_both_sides() {
     let workspace = Workspace::new(&[
         (
             "session.toml",
-            "pattern = \"{ball}_{height}\"\ntable = \"notes.csv\"\n",
+            "pattern = \"{ball}_{height}\"\nnotes = \"notes.csv\"\n",
         ),
         (
             "notes.csv",

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
+import re
 import subprocess
 from pathlib import Path
 
@@ -25,6 +27,29 @@ def test_a_posterior_has_the_numbers_of_the_document(times: bl.Recording) -> Non
     assert len(drop.posterior.impacts) == len(TIMES_S)
     assert drop.posterior.models[0].probability >= drop.posterior.models[-1].probability
     assert drop.draws["restitution"].mean() == pytest.approx(drop.restitution.value, abs=3 * drop.restitution.sd)
+
+
+def test_results_have_the_fields_of_the_document(recording: bl.Recording) -> None:
+    document, drop = recording.to_dict(), recording.drops[0]
+    for part in (recording.source, recording.settings, recording.strongest_band):
+        name = re.sub("(?<=[a-z])(?=[A-Z])", "_", type(part).__name__).lower()
+        assert_same_fields(part, document[name])
+    for name in ("log_linear_fit", "per_impact", "posterior"):
+        assert_same_fields(getattr(drop, name), drop.to_dict()[name])
+
+
+def assert_same_fields(found: object, document: object) -> None:
+    """Fail where a class lacks a field of its document, or has one that the document lacks."""
+    if isinstance(document, dict):
+        assert dataclasses.is_dataclass(found)
+        names = {field.name for field in dataclasses.fields(found)}
+        # The sentence of a diagnostic is made where it is asked for.
+        assert names == set(document) - {"message"}, type(found)
+        for name in names - {"arguments"}:
+            assert_same_fields(getattr(found, name), document[name])
+    elif isinstance(document, list) and isinstance(found, tuple):
+        for each, of_it in zip(found, document, strict=True):
+            assert_same_fields(each, of_it)
 
 
 def test_the_document_is_that_of_the_program(sound: bl.Sound, tmp_path: Path) -> None:

@@ -11,11 +11,11 @@ use parquet::record::Field;
 use tempfile::TempDir;
 
 fn schema() -> Schema {
-    let column = |name: &str, kind, unit, about: &str| Column {
-        name: name.to_owned().into(),
+    let column = |name: &'static str, kind, unit: &'static str, about: &'static str| Column {
+        name: name.into(),
         kind,
         unit: unit.into(),
-        about: about.to_owned().into(),
+        about: about.into(),
     };
     Schema {
         name: "drops",
