@@ -148,7 +148,13 @@ fn summaries_have_the_numbers_of_the_tables() {
         panic!("the mean of the recordings has no F1")
     };
     let bouncelab = mean.unwrap()[1];
+    let all_cells = "The mean over all cells of 10 dB and more is ";
+    let (_, after) = detection.text.split_once(all_cells).unwrap();
+    let f1_of_cells = after.split([',', ' ']).next().unwrap();
+    let answer = format!("Nearly all from 10 dB up, F1 {f1_of_cells} ");
+    assert!(trust.text.contains(&answer), "trust.md: {answer}");
     let quoted = [
+        format!("F1 {f1_of_cells} from 10 dB up"),
         format!("mean F1 is {f1}, and {late_counted} if"),
         format!("bouncelab reaches {bouncelab},"),
         format!("{:.2} at\n  5 dB", noise[1].parse::<f64>().unwrap()),
