@@ -1,22 +1,15 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import type { Plugin } from 'vite';
 
+/** The header that `bouncelab serve` sends. */
+const HEADER = join(import.meta.dirname, '../../crates/bouncelab-cli/src/policy.txt');
+
 /**
- * What the page may do: run and fetch what comes with it, and nothing else. The same text is sent
- * as a header by `bouncelab serve`; in the page it holds on any web server.
+ * What the page may do: run and fetch what comes with it, and nothing else. In the page it holds on
+ * any web server; only a header can forbid frames.
  */
-export const POLICY = [
-  "default-src 'none'",
-  "script-src 'self' 'wasm-unsafe-eval'",
-  "worker-src 'self'",
-  "style-src 'self'",
-  "img-src 'self' data: blob:",
-  "font-src 'self'",
-  "connect-src 'self'",
-  "media-src 'self' blob:",
-  "manifest-src 'self'",
-  "base-uri 'none'",
-  "form-action 'none'",
-].join('; ');
+export const POLICY = readFileSync(HEADER, 'utf8').trim().replace("; frame-ancestors 'none'", '');
 
 /** Puts the policy into the page when it is built; the development server needs more freedom. */
 export function contentSecurityPolicy(): Plugin {

@@ -15,6 +15,8 @@ use std::fs;
 use std::iter::successors;
 use std::path::{Path, PathBuf};
 
+use bouncelab::Options;
+use bouncelab::drag::DragLaw;
 use bouncelab::flight::FlightModel;
 use bouncelab::gravity;
 use bouncelab::impact::ImpactEvent;
@@ -33,6 +35,16 @@ pub fn write_wav(
 ) {
     let wav = encode_wav(sample_rate_hz, format, channels).expect("samples of a WAV file");
     fs::write(path, wav).expect("a file that can be written");
+}
+
+/// Flights of a table-tennis ball under this drag law, in ordinary air with buoyancy and added mass, with 9.81 m/s².
+///
+/// # Panics
+///
+/// If a constant coefficient is out of range.
+pub fn table_tennis(drag: DragLaw) -> FlightModel {
+    let options = Options::default().with_gravity_m_s2(9.81).with_drag(drag);
+    options.model().expect("a law of a table-tennis ball")
 }
 
 /// The impacts of a drop without end, the first at time zero. `restitution` is asked at each impact

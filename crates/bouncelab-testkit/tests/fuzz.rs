@@ -4,7 +4,7 @@
 use std::alloc::System;
 
 use bouncelab_testkit::damage::Damage;
-use bouncelab_testkit::fuzz::{TARGETS, corpus};
+use bouncelab_testkit::fuzz::{TARGETS, Target, corpus};
 use cap::Cap;
 
 #[global_allocator]
@@ -15,9 +15,9 @@ const MUTATIONS: usize = 8;
 
 #[test]
 fn every_input_of_the_corpus_is_read_or_refused() {
-    for (name, run) in TARGETS {
-        for input in corpus(name) {
-            run(&input);
+    for target in TARGETS {
+        for input in corpus(target.name) {
+            (target.run)(&input);
         }
     }
 }
@@ -26,11 +26,7 @@ fn every_input_of_the_corpus_is_read_or_refused() {
 #[test]
 fn the_longest_notes_fit() {
     let run = |target: &str, text: &str| {
-        let (_, run) = TARGETS
-            .into_iter()
-            .find(|(name, _)| *name == target)
-            .unwrap();
-        run(text.as_bytes());
+        (Target::named(target).unwrap().run)(text.as_bytes());
     };
     let keys = (0..250_000).map(|key| format!("{key:x}=1"));
     let keys: Vec<String> = keys.collect();
@@ -45,13 +41,13 @@ fn the_longest_notes_fit() {
 
 #[test]
 fn every_mutation_of_the_corpus_is_read_or_refused() {
-    for (name, run) in TARGETS {
-        for (number, input) in corpus(name).iter().enumerate() {
+    for target in TARGETS {
+        for (number, input) in corpus(target.name).iter().enumerate() {
             for mutation in 0..MUTATIONS {
                 // Another place in each input, and another damage in each mutation.
                 let percent = (37 * number + 23 * mutation) % 100;
                 let damage = Damage::ALL[(number + mutation) % Damage::ALL.len()];
-                run(&damage.at(percent, input));
+                (target.run)(&damage.at(percent, input));
             }
         }
     }

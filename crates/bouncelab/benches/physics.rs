@@ -1,13 +1,11 @@
 //! What the physics costs: `cargo bench -p bouncelab --bench physics`.
 
-use bouncelab::air::{Air, Conditions};
-use bouncelab::ball;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, Start, Stop};
-use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::regression::{self, NumberedFlight};
 use bouncelab::restitution::{Contact, Restitution};
 use bouncelab::{Impact, restitution};
+use bouncelab_testkit::table_tennis;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 
@@ -30,17 +28,6 @@ fn main() {
     divan::main();
 }
 
-fn model(drag: DragLaw) -> FlightModel {
-    let environment = Environment {
-        gravity_m_s2: 9.81,
-        air: Air::moist(&Conditions::default()).unwrap(),
-        drag,
-        buoyancy: true,
-        added_mass: true,
-    };
-    FlightModel::new(&ball::preset("table-tennis-40").unwrap().ball, &environment).unwrap()
-}
-
 fn contact(restitution: f64) -> Contact {
     Contact::new(Restitution::constant(restitution).unwrap(), 1e-3).unwrap()
 }
@@ -53,44 +40,44 @@ fn drag_coefficient(bencher: Bencher, law: DragLaw) {
 
 #[divan::bench]
 fn flight_closed_form(bencher: Bencher) {
-    let model = model(DragLaw::Constant(0.4));
+    let model = table_tennis(DragLaw::Constant(0.4));
     bencher.bench_local(|| black_box(&model).launch(black_box(2.0)));
 }
 
 #[divan::bench]
 fn flight_from_time_closed_form(bencher: Bencher) {
-    let model = model(DragLaw::Constant(0.4));
+    let model = table_tennis(DragLaw::Constant(0.4));
     bencher.bench_local(|| black_box(&model).from_flight_time(black_box(0.4)));
 }
 
 #[divan::bench]
 fn state_closed_form(bencher: Bencher) {
-    let model = model(DragLaw::Constant(0.4));
+    let model = table_tennis(DragLaw::Constant(0.4));
     let flight = model.launch(2.0).unwrap();
     bencher.bench_local(|| black_box(&model).state(&flight, black_box(0.1)));
 }
 
 #[divan::bench(args = LAWS)]
 fn model_by_law(bencher: Bencher, law: DragLaw) {
-    bencher.bench_local(|| model(black_box(law)));
+    bencher.bench_local(|| table_tennis(black_box(law)));
 }
 
 #[divan::bench(args = LAWS)]
 fn flight_by_quadrature(bencher: Bencher, law: DragLaw) {
-    let model = model(law);
+    let model = table_tennis(law);
     bencher.bench_local(|| black_box(&model).launch(black_box(2.0)));
 }
 
 #[divan::bench(args = LAWS)]
 fn flight_from_time_by_quadrature(bencher: Bencher, law: DragLaw) {
-    let model = model(law);
+    let model = table_tennis(law);
     bencher.bench_local(|| black_box(&model).from_flight_time(black_box(0.4)));
 }
 
 /// A whole drop of `BOUNCES` bounces, the history included; items are bounces.
 #[divan::bench(args = [DragLaw::None, DragLaw::Constant(0.4), DragLaw::CliftGraceWeber])]
 fn drop_of_1000_bounces(bencher: Bencher, law: DragLaw) {
-    let model = model(law);
+    let model = table_tennis(law);
     let contact = contact(0.999);
     bencher.counter(ItemsCount::new(BOUNCES)).bench_local(|| {
         let start = black_box(Start::Height(0.305));
@@ -112,7 +99,7 @@ fn regression_of_flights(bencher: Bencher, count: usize) {
 /// Restitution of the 39 inner impacts of a drop with 41; items are impacts.
 #[divan::bench(args = [DragLaw::Constant(0.4), DragLaw::CliftGraceWeber])]
 fn drag_corrected_restitution(bencher: Bencher, law: DragLaw) {
-    let model = model(law);
+    let model = table_tennis(law);
     let history = drop::simulate(
         &model,
         &contact(0.93),

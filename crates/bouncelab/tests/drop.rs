@@ -1,27 +1,21 @@
 //! Whole histories: energy, time, path, states and ends.
 
-use bouncelab::Error;
-use bouncelab::air::{Air, Conditions};
+use bouncelab::air::Air;
 use bouncelab::ball::{self, Ball};
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, InitialFall, MAX_BOUNCES, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::restitution::{Contact, Restitution};
+use bouncelab::{Error, Options};
+use bouncelab_testkit::table_tennis;
 use proptest::prelude::*;
 
 fn environment(law: DragLaw) -> Environment {
     Environment {
         gravity_m_s2: 9.81,
-        air: Air::moist(&Conditions::default()).unwrap(),
         drag: law,
-        buoyancy: true,
-        added_mass: true,
+        ..Options::default().environment
     }
-}
-
-fn model(law: DragLaw) -> FlightModel {
-    let ball = ball::preset("table-tennis-40").unwrap().ball;
-    FlightModel::new(&ball, &environment(law)).unwrap()
 }
 
 fn any_law() -> impl Strategy<Value = DragLaw> {
@@ -50,15 +44,8 @@ fn bouncing(restitution: f64) -> Contact {
 #[test]
 fn a_law_that_ends_below_the_terminal_speed_drags_in_the_fall_too() {
     let lost_in_fall = |drag: DragLaw| {
-        let environment = Environment {
-            gravity_m_s2: 9.81,
-            air: Air::moist(&Conditions::default()).unwrap(),
-            drag,
-            buoyancy: true,
-            added_mass: true,
-        };
         let football = ball::preset("football").unwrap().ball;
-        let model = FlightModel::new(&football, &environment).unwrap();
+        let model = FlightModel::new(&football, &environment(drag)).unwrap();
         let stop = Stop::after(1);
         let history = drop::simulate(&model, &bouncing(0.7), Start::Height(2.0), stop).unwrap();
         (
@@ -83,7 +70,7 @@ proptest! {
         loss in -0.02..0.05_f64,
     ) {
         let contact = Contact::new(Restitution::linear(at_rest, loss).unwrap(), 1e-3).unwrap();
-        let model = model(law);
+        let model = table_tennis(law);
         let history = drop::simulate(&model, &contact, start, Stop::below(1e-4).or_after(40)).unwrap();
         let taken: f64 = history
             .bounces()
@@ -107,7 +94,7 @@ proptest! {
     /// The energy that the air takes is the work of the drag along the way, added up in small steps.
     #[test]
     fn the_air_takes_the_work_of_the_drag(law in any_law(), speed in 0.5..6.0_f64) {
-        let model = model(law);
+        let model = table_tennis(law);
         let history =
             drop::simulate(&model, &bouncing(1.0), Start::Launch(speed), Stop::after(1)).unwrap();
         let bounce = history.bounces()[0];
@@ -132,7 +119,7 @@ proptest! {
         contact_time_s in 0.0..5e-3_f64,
     ) {
         let contact = Contact::new(Restitution::constant(0.9).unwrap(), contact_time_s).unwrap();
-        let history = drop::simulate(&model(law), &contact, start, Stop::after(10)).unwrap();
+        let history = drop::simulate(&table_tennis(law), &contact, start, Stop::after(10)).unwrap();
         let strikes: Vec<_> = history.impact_events().collect();
         prop_assert_eq!(strikes.len(), 11);
         prop_assert_eq!(strikes[10], history.landing());
@@ -166,7 +153,7 @@ proptest! {
 
 #[test]
 fn a_drop_opens_with_a_fall_or_a_flight() {
-    let model = model(DragLaw::Constant(0.45));
+    let model = table_tennis(DragLaw::Constant(0.45));
     let history = |start| drop::simulate(&model, &bouncing(0.9), start, Stop::after(3)).unwrap();
     let dropped = history(Start::Height(0.3));
     assert_eq!(
@@ -292,7 +279,7 @@ fn pairs(values: [f64; 3]) -> impl Iterator<Item = (f64, f64)> {
 /// A law that ends below the speeds of the drop says so instead of extrapolating.
 #[test]
 fn a_drop_beyond_the_law_is_refused() {
-    let model = model(DragLaw::SchillerNaumann);
+    let model = table_tennis(DragLaw::SchillerNaumann);
     let result = drop::simulate(&model, &bouncing(0.9), Start::Height(0.3), Stop::after(3));
     assert!(matches!(result, Err(Error::ReynoldsTooHigh { .. })));
 }

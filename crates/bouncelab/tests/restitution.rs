@@ -2,25 +2,13 @@
 
 use bouncelab::Error;
 use bouncelab::Impact;
-use bouncelab::air::{Air, Conditions};
-use bouncelab::ball;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
-use bouncelab::flight::{Environment, FlightModel};
+use bouncelab::flight::FlightModel;
 use bouncelab::restitution::{Contact, Restitution};
 use bouncelab::restitution::{PerImpact, of_impacts};
+use bouncelab_testkit::table_tennis;
 use proptest::prelude::*;
-
-fn table_tennis(drag: DragLaw) -> FlightModel {
-    let environment = Environment {
-        gravity_m_s2: 9.81,
-        air: Air::moist(&Conditions::default()).unwrap(),
-        drag,
-        buoyancy: true,
-        added_mass: true,
-    };
-    FlightModel::new(&ball::preset("table-tennis-40").unwrap().ball, &environment).unwrap()
-}
 
 fn history(model: &FlightModel, restitution: Restitution, contact_time_s: f64) -> History {
     let contact = Contact::new(restitution, contact_time_s).unwrap();

@@ -525,20 +525,12 @@ fn hermite(low: [f64; 2], high: [f64; 2], t: f64, step: f64) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::air::{Air, Conditions};
-    use crate::ball;
+    use crate::Options;
     use crate::drag::DragLaw;
-    use crate::flight::Environment;
 
     fn model(drag: DragLaw) -> FlightModel {
-        let environment = Environment {
-            gravity_m_s2: 9.81,
-            air: Air::moist(&Conditions::default()).unwrap(),
-            drag,
-            buoyancy: true,
-            added_mass: true,
-        };
-        FlightModel::new(&ball::preset("table-tennis-40").unwrap().ball, &environment).unwrap()
+        let options = Options::default().with_gravity_m_s2(9.81).with_drag(drag);
+        options.model().unwrap()
     }
 
     /// Where drag is so strong that the steps of a march are too long for it, it ends early, and not
