@@ -11,7 +11,7 @@ use crate::{Result, python, web};
 
 pub(crate) const ABOUT: &str = "Draw the figures of the book, take its pictures, write its reference, and build it into target/book";
 
-/// The chore.
+/// The task.
 pub(crate) fn run(_: &[String]) -> Result {
     let mut write = cargo_all(&["test"]);
     run_command(
@@ -26,7 +26,7 @@ pub(crate) fn run(_: &[String]) -> Result {
 /// The pictures of the page and of a notebook, as a browser shows them.
 fn take_pictures() -> Result {
     if !(web::has_node() && web::has_browser()) {
-        skip("the pictures of the page and of a notebook, for want of Node.js or a browser");
+        skip("the pictures of the page and of a notebook: Node.js or a browser is missing");
         return Ok(());
     }
     let notebook = if python::interpreters().is_empty() {

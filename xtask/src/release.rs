@@ -13,7 +13,7 @@ use crate::cargo::{
     built, cargo, copy_program, emptied, install, root, run as run_command, succeeds, target,
 };
 use crate::steps::skip;
-use crate::{Result, book, python, said, web};
+use crate::{Result, book, file_error, python, web};
 
 pub(crate) const ABOUT: &str =
     "Make all that a release publishes and this machine can make, into target/release-artefacts";
@@ -76,7 +76,7 @@ Description: physics of a bouncing ball from its sound
  uncertainty; also many drops, rules of sports, and simulations.
 ";
 
-/// The chore: everything, for this machine; `documents`, which are the same for all machines; or `target=TRIPLE`, the
+/// The task: everything, for this machine; `documents`, which are the same for all machines; or `target=TRIPLE`, the
 /// program for one kind of machine.
 pub(crate) fn run(words: &[String]) -> Result {
     let folder = target().join("release-artefacts");
@@ -119,7 +119,7 @@ fn make_page() -> Result<bool> {
         web::build()?;
         return Ok(true);
     }
-    skip("the page, and `bouncelab serve`, for want of Node.js");
+    skip("the page, and `bouncelab serve`: Node.js is missing");
     Ok(false)
 }
 
@@ -177,13 +177,13 @@ fn documents(folder: &Path) -> Result {
         let name = format!("bouncelab-book-{VERSION}");
         archive(folder, &name, &target(), "book")?;
     } else {
-        skip("the book, for want of mdBook");
+        skip("the book: mdBook is missing");
     }
     let notes = notes(&read(&root().join("CHANGELOG.md"))?)?;
     write(&folder.join("release-notes.md"), &notes)
 }
 
-/// What the archive of the program and the folder in it are called; `cargo binstall` is told so in the `Cargo.toml` of the
+/// What the archive of the program and the folder in it are called; `cargo binstall` reads it in the `Cargo.toml` of the
 /// program.
 fn name_of(triple: &str) -> String {
     format!("bouncelab-{VERSION}-{triple}")
@@ -220,7 +220,7 @@ fn program(folder: &Path, built: &Path, triple: &str) -> Result {
 /// The package for Debian and its kin.
 fn debian(folder: &Path, contents: &Path, architecture: &str, library: &str) -> Result {
     if !succeeds(&["dpkg-deb", "--version"]) {
-        skip("the Debian package, for want of dpkg-deb");
+        skip("the Debian package: dpkg-deb is missing");
         return Ok(());
     }
     let tree = target().join("release-staged/debian");
@@ -337,7 +337,7 @@ pub(crate) fn check() -> Result {
     if web::has_node() {
         web::check_workflows()?;
     } else {
-        skip("the check of the workflow files, for want of Node.js");
+        skip("the check of the workflow files: Node.js is missing");
     }
     if python::interpreters().is_empty() {
         skip(&format!(
@@ -441,7 +441,7 @@ fn has_help(folder: &Path, names: &[&str]) -> Result {
         let path = folder.join(name);
         let text = if path.extension().is_some_and(|ending| ending == "gz") {
             let unpacked = Command::new("gzip").arg("-dc").arg(&path).output();
-            let unpacked = unpacked.map_err(|reason| said(&path, &reason))?;
+            let unpacked = unpacked.map_err(|reason| file_error(&path, &reason))?;
             String::from_utf8_lossy(&unpacked.stdout).into_owned()
         } else {
             read(&path)?
@@ -483,22 +483,22 @@ fn host() -> Result<String> {
 }
 
 fn files(folder: &Path) -> Result<Vec<PathBuf>> {
-    let entries = fs::read_dir(folder).map_err(|reason| said(folder, &reason))?;
+    let entries = fs::read_dir(folder).map_err(|reason| file_error(folder, &reason))?;
     Ok(entries.flatten().map(|entry| entry.path()).collect())
 }
 
 fn copy(from: &Path, to: &Path) -> Result {
     fs::copy(from, to)
         .map(drop)
-        .map_err(|reason| said(from, &reason))
+        .map_err(|reason| file_error(from, &reason))
 }
 
 fn read(path: &Path) -> Result<String> {
-    fs::read_to_string(path).map_err(|reason| said(path, &reason))
+    fs::read_to_string(path).map_err(|reason| file_error(path, &reason))
 }
 
 fn write(path: &Path, text: &str) -> Result {
-    fs::write(path, text).map_err(|reason| said(path, &reason))
+    fs::write(path, text).map_err(|reason| file_error(path, &reason))
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 pub(crate) struct Step {
     pub(crate) name: String,
     pub(crate) time: Time,
-    /// The end of what it printed, if it failed and nobody watched.
+    /// The last lines that it printed, if it failed while its output went to a log.
     pub(crate) last_lines: Vec<String>,
 }
 

@@ -20,7 +20,7 @@ pub(crate) struct Check {
     run: fn() -> Result,
 }
 
-/// What the machine must have for a check; without it the check is skipped, and that is said.
+/// What the machine must have for a check; without it the check is skipped, which the summary states.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Needs {
     /// Nothing but Rust.
@@ -92,7 +92,7 @@ pub(crate) const CHECKS: [Check; 20] = [
     },
     Check {
         name: "clippy",
-        about: "clippy has nothing to say",
+        about: "clippy reports nothing",
         needs: Needs::Nothing,
         run: || {
             let mut command = cargo_all(&["clippy"]);
@@ -268,9 +268,7 @@ fn deny() -> Result {
     };
     deny(&["check", "licenses", "bans", "sources"])?;
     if deny(&["fetch", "db"]).is_err() {
-        steps::skip(
-            "what is known against the dependencies, for want of the database of advisories",
-        );
+        steps::skip("advisories on the dependencies: their database is missing");
         return Ok(());
     }
     deny(&["check", "advisories"])
@@ -308,7 +306,7 @@ fn has_sndfile() -> bool {
     is_there() || cfg!(target_os = "linux") && install(&package, "markers of a sound") && is_there()
 }
 
-/// Says how to name their folder if nobody did: the tests that read them are ignored then.
+/// Without a named folder the tests that read them are ignored.
 fn has_recordings() -> bool {
     let named = std::env::var_os("BOUNCELAB_RECORDINGS").is_some();
     if !named {
@@ -337,7 +335,7 @@ pub(crate) fn run(names: &[String]) -> Result {
         let is_met = *met.entry(needs).or_insert_with(|| needs.are_met());
         if !is_met {
             steps::skip(&format!(
-                "the check {}, for want of what it needs",
+                "the check {}: what it needs is missing",
                 check.name
             ));
         }
@@ -404,7 +402,7 @@ fn ensure_components() -> Result {
 fn ensure_sound_headers() {
     let packages = ["libasound2-dev", "pkg-config"];
     if !has_sound_headers() && !install(&packages, "the microphone") {
-        steps::skip("clippy and tests of the microphone, for want of the headers of ALSA");
+        steps::skip("clippy and tests of the microphone: the headers of ALSA are missing");
     }
 }
 

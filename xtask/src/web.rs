@@ -11,7 +11,7 @@ use std::sync::OnceLock;
 
 use crate::cargo::{built, cargo, root, run as run_command};
 use crate::steps::skip;
-use crate::{Result, said};
+use crate::{Result, file_error};
 
 pub(crate) use e2e::{class, firefox, pictures, run as e2e};
 pub(crate) use system::{has_browser, has_firefox, has_node, has_target};
@@ -49,7 +49,7 @@ fn page() -> Result {
     npm(&["run", "build"])
 }
 
-/// All that can be said of the page without a browser.
+/// Every check of the page that needs no browser.
 pub(crate) fn check() -> Result {
     engine()?;
     lint()?;
@@ -66,7 +66,7 @@ fn audit() -> Result {
     let made = made.map_err(|reason| format!("npm audit: {reason}"))?;
     let report = String::from_utf8_lossy(&made.stdout);
     if !report.contains("\"auditReportVersion\"") {
-        skip("what is known against the npm packages, for want of a registry that tells it");
+        skip("advisories on the npm packages: no registry answers");
         return Ok(());
     }
     if made.status.success() {
@@ -101,7 +101,7 @@ fn engine() -> Result {
 fn make_engine() -> Result {
     modules()?;
     let folder = web().join(ENGINE);
-    fs::create_dir_all(&folder).map_err(|reason| said(&folder, &reason))?;
+    fs::create_dir_all(&folder).map_err(|reason| file_error(&folder, &reason))?;
     for part in PARTS {
         let compiled = compile(part)?;
         let stamp = target().join(format!("{part}.wasm"));
@@ -115,7 +115,7 @@ fn make_engine() -> Result {
                 .arg(&folder)
                 .arg(part),
         )?;
-        fs::copy(&compiled, &stamp).map_err(|reason| said(&stamp, &reason))?;
+        fs::copy(&compiled, &stamp).map_err(|reason| file_error(&stamp, &reason))?;
     }
     types(&folder.join("types.ts"))
 }
@@ -124,8 +124,8 @@ fn make_engine() -> Result {
 fn types(file: &Path) -> Result {
     let program = built("--example", "types")?;
     let made = Command::new(&program).output();
-    let made = made.map_err(|reason| said(&program, &reason))?;
-    fs::write(file, made.stdout).map_err(|reason| said(file, &reason))
+    let made = made.map_err(|reason| file_error(&program, &reason))?;
+    fs::write(file, made.stdout).map_err(|reason| file_error(file, &reason))
 }
 
 /// Compiles a part of the science as WebAssembly.
@@ -181,7 +181,7 @@ fn modules() -> Result {
     run_command(npm_command(&["ci", "--no-audit", "--no-fund"]).current_dir(web()))?;
     fs::copy(&lock, &stamp)
         .map(drop)
-        .map_err(|reason| said(&stamp, &reason))
+        .map_err(|reason| file_error(&stamp, &reason))
 }
 
 fn npm(words: &[&str]) -> Result {

@@ -64,7 +64,7 @@ const FONTS: [(&str, &str); 2] = [
     ("fonts-liberation", "LiberationSans-Regular.ttf"),
 ];
 
-/// Whether there is a Chromium: it is installed where that is allowed, else it is said how to. So are the
+/// Whether there is a Chromium: it is installed where that is allowed, else the command is printed. So are the
 /// fonts; without them the tests skip what takes them.
 pub(crate) fn has_browser() -> bool {
     let is_there = || BROWSERS.iter().any(|name| succeeds(&[name, "--version"]));

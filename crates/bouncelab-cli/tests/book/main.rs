@@ -560,8 +560,8 @@ fn every_command_runs_here_or_is_listed_as_run_elsewhere() {
             let is_known = found.is_some() || is_ours(&command);
             assert!(is_known, "{}: nothing runs \"{command}\"", name(&page.path));
             if let Some(rest) = command.strip_prefix("cargo xtask ") {
-                let chore = rest.split(' ').next().unwrap_or_default();
-                assert!(is_chore(chore), "there is no chore {chore}: {command}");
+                let task = rest.split(' ').next().unwrap_or_default();
+                assert!(is_task(task), "there is no task {task}: {command}");
             }
         }
     }
@@ -590,8 +590,8 @@ fn commands_and_options_within_sentences_exist() {
             let words: Vec<&str> = code.split_whitespace().collect();
             let wrong = format!("{}: \"{code}\"", name(&page.path));
             let help = match words.as_slice() {
-                ["cargo", "xtask", chore, ..] => {
-                    assert!(is_chore(chore), "{wrong}");
+                ["cargo", "xtask", task, ..] => {
+                    assert!(is_task(task), "{wrong}");
                     continue;
                 }
                 ["bouncelab", "help" | "COMMAND", ..] | ["bouncelab"] | [] => continue,
@@ -615,14 +615,14 @@ fn commands_and_options_within_sentences_exist() {
     }
 }
 
-/// Whether `cargo xtask` has a chore or a measuring program of this name.
-fn is_chore(name: &str) -> bool {
+/// Whether `cargo xtask` has a task or a measuring program of this name.
+fn is_task(name: &str) -> bool {
     ["main", "measure"]
         .iter()
         .any(|module| is_named(module, name))
 }
 
-/// Whether a module of the chores has an entry of this name in its table.
+/// Whether a module of the tasks has an entry of this name in its table.
 fn is_named(module: &str, name: &str) -> bool {
     let file = format!("../../xtask/src/{module}.rs");
     let code = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap();
