@@ -8,7 +8,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::impact::Impact;
 use crate::onset;
 use crate::stats::sort_by_number;
-use crate::train::{FEWEST_IMPACTS, Train};
+use crate::train::{MIN_IMPACTS, Train};
 
 /// Analyses a recording of one channel: full scale is 1.
 ///
@@ -352,7 +352,7 @@ fn apply(edits: &Edits, drops: &mut Vec<DropCandidate>) -> Vec<Diagnostic> {
         .into_iter()
         .map(|time_s| Diagnostic::new(Code::NothingToExclude).with("time_s", time_s));
     let mut diagnostics: Vec<Diagnostic> = nothing.collect();
-    if include_s.len() >= FEWEST_IMPACTS - 2 {
+    if include_s.len() >= MIN_IMPACTS - 2 {
         include_s.sort_unstable_by(f64::total_cmp);
         drops.push(DropCandidate::of_times(&include_s));
         sort_by_number(drops, DropCandidate::start_s);

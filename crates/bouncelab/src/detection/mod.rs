@@ -38,7 +38,7 @@ use crate::error::{Error, Result};
 use crate::onset::{self, Onset, OnsetDetector};
 use crate::simd::dispatch;
 use crate::stats::median;
-use crate::train::{self, Recording, Span, Train, TrainSearch};
+use crate::train::{self, Excerpt, Span, Train, TrainSearch};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -157,7 +157,7 @@ impl Detection {
                 .with("impacts", train.impacts().len())
         });
         let mut diagnostics: Vec<Diagnostic> = distant.collect();
-        diagnostics.extend(self.found.at_once().map(|(start_s, end_s)| {
+        diagnostics.extend(self.found.overlaps().map(|(start_s, end_s)| {
             let at_once = Diagnostic::new(Code::DropsAtOnce);
             at_once.with("start_s", start_s).with("end_s", end_s)
         }));
@@ -486,7 +486,7 @@ impl ChannelDetector {
     }
 
     /// The samples of these seconds that are remembered.
-    fn read(&self, range_s: Range<f64>) -> Recording {
+    fn read(&self, range_s: Range<f64>) -> Excerpt {
         let rate_hz = self.detector.rate_hz();
         let number = |time_s: f64| (time_s * rate_hz).max(0.0) as u64;
         let range = number(range_s.start)..number(range_s.end);
@@ -499,7 +499,7 @@ impl ChannelDetector {
             samples.splice(..0, onset::finite(&older).iter().copied());
             first = first.min(range.end) - older.len() as u64;
         }
-        Recording {
+        Excerpt {
             samples,
             start_s: first as f64 / rate_hz,
             rate_hz,

@@ -1,43 +1,36 @@
-//! Times below a sample, from what the impacts of one drop have in common.
+//! Times to a fraction of a sample, from the common waveform of the impacts of one drop.
 //!
-//! The impacts of a drop sound alike. Their waveforms, whitened, are laid over each other by the
+//! The impacts of a drop sound alike. Their waveforms, whitened, are aligned by the
 //! picked times and stacked; each is then shifted to where it fits the stack of the others best.
 //! This uses the whole of each sound where a pick uses its first fraction of a millisecond, and
-//! does not depend on loudness. It is done twice: the first time tells how the impacts ring, which is
-//! taken out for the second. What a shift leaves unexplained gives its standard error, as the
-//! Cramer-Rao bound for the arrival time of a known waveform in noise:
+//! does not depend on loudness. There are two passes: the first measures how the impacts ring, and the ringing is
+//! subtracted for the second. The residual of a shift gives its standard error by the
+//! Cramér-Rao bound for the arrival time of a known waveform in noise:
 //! var(t) = var(noise) / sum (a s'(t))^2. In much noise a shift by a whole period of the sound may fit
-//! as well: the error also holds how far off those shifts are that are nearly as probable.
+//! as well: the error includes the distance of those shifts that are nearly as probable.
 
 mod ringing;
 mod sound;
 mod template;
 mod wave;
 
+use super::TrainImpact;
 use super::evidence::ln_level;
-use super::{TrainImpact, UNHEARD};
+use super::parameters::{
+    AGREEMENT_ROUNDS, ALIGNMENT_ROUNDS, MIN_AGREEING, MIN_KEPT_ENERGY, MIN_LATER_SHARE,
+    MIN_STACKED, REVEALED_PROBABILITY, SMOOTHING_IMPACTS, SMOOTHING_REACHES,
+};
 use crate::onset::Onset;
 use crate::stats::{median, sort_by_number};
 use sound::{Sound, Span, cut_out, noise_power, whitened};
-use template::{Doubt, Left, Template, middle_size, stack, usual_difference, weight};
+use template::{
+    SmoothedNoise, Template, Uncertainty, median_size, stack, usual_difference, weight,
+};
 use wave::{convolve, running_energy, smoothing};
 
-/// What sounds after that holds less than this share of the energy.
-const LEAST_SHARE: f64 = 0.03;
-/// Each pass knows from the one before where the impacts are, and so how they ring. Times settle to
-/// well below their errors in so many rounds.
-const ROUNDS: [usize; 2] = [1, 3];
-/// The first round finds where the impacts agree, the second how many do.
-const AGREEMENT_ROUNDS: usize = 2;
-/// High frequencies are smoothed away while this share of the energy of the impacts is kept: what
-/// little they hold is steep.
-const LEAST_KEPT: f64 = 0.97;
-/// So many of the loudest impacts are asked.
-const TRIED: usize = 6;
-
-/// Moves the times of these impacts to where their waveforms agree, and says which of them agree
-/// and begin there. Only the first `picked` were picked; the others, which have the level of the one before,
-/// get their own, and agree only if it may be theirs.
+/// Moves the times of these impacts to where their waveforms agree, and returns which of them agree
+/// and begin there. Only the first `picked` were picked. The others have the level of the impact before; they
+/// get their own, and agree only if it is a probable one.
 /// `samples` begin at `start_s` of the recording; impacts too near their ends keep their times.
 pub(super) fn align(
     impacts: &mut [TrainImpact],
@@ -54,29 +47,30 @@ pub(super) fn align(
     let onsets: Vec<Onset> = impacts.iter().map(|impact| impact.onset).collect();
     let mut span = Span::new(rate_hz);
     let mut sounds = Vec::new();
-    for rounds in ROUNDS {
+    for rounds in ALIGNMENT_ROUNDS {
         span = Span::new(rate_hz);
         let mut cuts = cut_out(&positions, &fits, samples, &span);
-        // With fewer there is no stack of others to speak of.
-        if cuts.len() < 3 {
+        if cuts.len() < MIN_STACKED {
             return fits;
         }
         ringing::remove(&mut cuts, samples, &span);
         sounds = whitened(&cuts, &onsets, rate_hz, &span);
-        lay_over(&mut sounds, &mut span, rounds);
+        align_sounds(&mut sounds, &mut span, rounds);
         for sound in &sounds {
             fits[sound.impact] = sound.fits;
             positions[sound.impact] += sound.shift;
         }
     }
     let settled = || sounds.iter().filter(|sound| sound.fits);
-    let doubts: Vec<&Doubt> = settled().filter_map(|sound| sound.doubt.as_ref()).collect();
-    let difference = usual_difference(&doubts);
+    let uncertainties: Vec<&Uncertainty> = settled()
+        .filter_map(|sound| sound.uncertainty.as_ref())
+        .collect();
+    let difference = usual_difference(&uncertainties);
     for sound in settled() {
         let onset = &mut impacts[sound.impact].onset;
         onset.time_s = start_s + positions[sound.impact] / rate_hz;
-        if let Some(doubt) = &sound.doubt {
-            let error = doubt.shift_error(difference);
+        if let Some(uncertainty) = &sound.uncertainty {
+            let error = uncertainty.shift_error(difference);
             onset.sigma_s = error.hypot(sound.ambiguity.sqrt()) / rate_hz;
         }
         fits[sound.impact] = sound.begins(&span);
@@ -84,13 +78,13 @@ pub(super) fn align(
     for (sound, level_db) in levels_db(impacts, picked, &sounds) {
         let onset = &mut impacts[sound.impact].onset;
         let ln_odds = sound.ln_odds + ln_level(level_db - onset.level_db);
-        fits[sound.impact] &= ln_odds > (UNHEARD / (1.0 - UNHEARD)).ln();
+        fits[sound.impact] &= ln_odds > (REVEALED_PROBABILITY / (1.0 - REVEALED_PROBABILITY)).ln();
         onset.level_db = level_db;
     }
     fits
 }
 
-/// The levels of the impacts that were not picked, from how much louder those are that were.
+/// The levels of the impacts that were not picked, relative to those that were.
 fn levels_db<'a>(
     impacts: &[TrainImpact],
     picked: usize,
@@ -98,30 +92,33 @@ fn levels_db<'a>(
 ) -> Vec<(&'a Sound, f64)> {
     let fitting = sounds.iter().filter(|sound| sound.fits);
     let relative = fitting.filter_map(|sound| {
-        let energy = sound.doubt.as_ref()?.energy;
+        let energy = sound.uncertainty.as_ref()?.energy;
         Some((sound, 10.0 * energy.log10()))
     });
-    let (known, unknown): (Vec<_>, Vec<_>) = relative.partition(|(sound, _)| sound.impact < picked);
-    let known = known.iter();
-    let full_scale = median(known.map(|(sound, db)| impacts[sound.impact].onset.level_db - db));
-    let Some(full_scale_db) = full_scale else {
+    let (with_level, without): (Vec<_>, Vec<_>) =
+        relative.partition(|(sound, _)| sound.impact < picked);
+    // The level of an impact of energy 1.
+    let references_db = with_level
+        .iter()
+        .map(|(sound, db)| impacts[sound.impact].onset.level_db - db);
+    let Some(reference_db) = median(references_db) else {
         return Vec::new();
     };
-    let unknown = unknown.into_iter();
-    unknown
-        .map(|(sound, db)| (sound, full_scale_db + db))
+    without
+        .into_iter()
+        .map(|(sound, db)| (sound, reference_db + db))
         .collect()
 }
 
-/// How many impacts agree with the stack of the others, and how many of some other sounds with the stack
-/// of all; of how many each.
+/// The number of impacts that agree with the stack of the others, and of other sounds that agree with the stack
+/// of all; each with the number of sounds compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Agreement {
     pub(super) impacts: (usize, usize),
     pub(super) others: (usize, usize),
 }
 
-/// How far these impacts, and other sounds, agree with the impacts.
+/// Counts how many of these impacts, and of other sounds, agree with the impacts.
 pub(super) fn agreement(
     impacts: &[Onset],
     others: &[Onset],
@@ -140,23 +137,22 @@ pub(super) fn agreement(
     let mut others: Vec<Sound> = sounds
         .extract_if(.., |sound| sound.impact >= impacts.len())
         .collect();
-    // With fewer there is no stack of others to speak of.
-    if sounds.len() < 3 {
+    if sounds.len() < MIN_STACKED {
         return Agreement::default();
     }
     let smoothing = smooth(&mut sounds, &span);
     smooth_by(&smoothing, &mut others, &span);
-    span.length = span.before + sounding(&sounds, &span);
+    span.length = span.before + audible_length(&sounds, &span);
     for _ in 0..AGREEMENT_ROUNDS {
         let stack = Stack::of(&sounds, &span);
         for (index, sound) in sounds.iter_mut().enumerate() {
-            sound.find_likest(&stack.without(index), &span);
+            sound.find_most_similar(&stack.without(index), &span);
         }
     }
     let count = |sounds: &[Sound]| (sounds.iter().filter(|s| s.fits).count(), sounds.len());
     let impacts = count(&sounds);
-    // Where the impacts have nothing in common there is nothing that others could share.
-    if impacts.0 < 2 {
+    // If the impacts have no common waveform, other sounds cannot share it.
+    if impacts.0 < MIN_AGREEING {
         return Agreement {
             impacts,
             others: (0, 0),
@@ -164,7 +160,7 @@ pub(super) fn agreement(
     }
     let stack = Stack::of(&sounds, &span);
     for sound in &mut others {
-        sound.find_likest(&stack.sum, &span);
+        sound.find_most_similar(&stack.sum, &span);
     }
     Agreement {
         impacts,
@@ -182,10 +178,10 @@ struct Stack {
 impl Stack {
     fn of(sounds: &[Sound], span: &Span) -> Self {
         let waves: Vec<Vec<f32>> = sounds.iter().map(|s| s.wave(span, s.shift)).collect();
-        let middle = middle_size(&waves);
+        let median_size = median_size(&waves);
         Self {
-            weights: waves.iter().map(|wave| weight(wave, middle)).collect(),
-            sum: stack(&waves, middle),
+            weights: waves.iter().map(|wave| weight(wave, median_size)).collect(),
+            sum: stack(&waves, median_size),
             waves,
         }
     }
@@ -198,30 +194,32 @@ impl Stack {
     }
 }
 
-/// Lays the sounds over each other and shifts each to where it fits the stack of the others.
-fn lay_over(sounds: &mut [Sound], span: &mut Span, rounds: usize) {
+/// Shifts each sound to where it fits the stack of the others.
+fn align_sounds(sounds: &mut [Sound], span: &mut Span, rounds: usize) {
     let smoothing = smooth(sounds, span);
-    span.length = span.before + sounding(sounds, span);
+    span.length = span.before + audible_length(sounds, span);
     for round in 0..rounds {
         let stack = Stack::of(sounds, span);
-        // How much noise of one wave is in the stack.
+        // The power of noise in the stack over that in one wave.
         let noise: f32 = stack.weights.iter().map(|weight| weight.powi(2)).sum();
-        let left = Left::new(&stack.sum, &smoothing);
+        let smoothed = SmoothedNoise::new(&stack.sum, &smoothing);
         for (index, sound) in sounds.iter_mut().enumerate() {
             let (wave, own) = (&stack.waves[index], stack.weights[index]);
             let others = stack.without(index);
             let template = Template::new(&others, noise - own * own, own);
+            // The first round finds the shift to a sample among all that are possible, later ones refine it.
             if round == 0 {
                 sound.find(&others, span);
             } else if sound.fits {
-                sound.settle(&template, wave, &left, span);
+                sound.settle(&template, wave, &smoothed, span);
             }
         }
         keep_mean(sounds);
     }
 }
 
-/// Only differences of time have a meaning: the stack as a whole stays where the picks are.
+/// Subtracts the mean shift, weighted by the errors of the picks: only differences of time have a meaning, so the stack as
+/// a whole stays at the picks.
 fn keep_mean(sounds: &mut [Sound]) {
     let (mut weights, mut sum) = (0.0, 0.0);
     for sound in sounds.iter().filter(|s| s.fits) {
@@ -236,19 +234,19 @@ fn keep_mean(sounds: &mut [Sound]) {
     }
 }
 
-/// Takes out the high frequencies in which the impacts do not sound: they would drown the slope
-/// of a dull thump. Returns the weights.
+/// Removes the high frequencies in which the impacts have no energy: their noise would drown the slope
+/// of a dull thump. Returns the kernel.
 fn smooth(sounds: &mut [Sound], span: &Span) -> Vec<f32> {
     let loudness = |energy: &[f64], noise: f64| {
-        let (first, end) = (span.origin, span.origin + span.most);
-        (energy[end] - energy[first] - noise * span.most as f64).max(0.0)
+        let (first, end) = (span.origin, span.origin + span.max);
+        (energy[end] - energy[first] - noise * span.max as f64).max(0.0)
     };
     let mut loudest: Vec<(f64, usize)> = (0..sounds.len())
         .map(|n| (loudness(&sounds[n].energy, sounds[n].noise), n))
         .filter(|&(loudness, _)| loudness > 0.0)
         .collect();
     sort_by_number(&mut loudest, |(loudness, _)| -loudness);
-    loudest.truncate(TRIED);
+    loudest.truncate(SMOOTHING_IMPACTS);
     let kept = |kernel: &[f32]| {
         let shares = loudest.iter().map(|&(before, n)| {
             let energy = running_energy(&convolve(&sounds[n].samples, kernel));
@@ -256,8 +254,8 @@ fn smooth(sounds: &mut [Sound], span: &Span) -> Vec<f32> {
         });
         shares.sum::<f64>() / loudest.len() as f64
     };
-    let mut kernels = [16, 8, 4, 2, 1].map(smoothing).into_iter();
-    let Some(kernel) = kernels.find(|kernel| kept(kernel) > LEAST_KEPT) else {
+    let mut kernels = SMOOTHING_REACHES.map(smoothing).into_iter();
+    let Some(kernel) = kernels.find(|kernel| kept(kernel) > MIN_KEPT_ENERGY) else {
         return vec![1.0];
     };
     smooth_by(&kernel, sounds, span);
@@ -272,8 +270,8 @@ fn smooth_by(kernel: &[f32], sounds: &mut [Sound], span: &Span) {
     }
 }
 
-/// How long the impacts sound, in samples after their times.
-fn sounding(sounds: &[Sound], span: &Span) -> usize {
+/// How long the impacts are audible, in samples after their times.
+fn audible_length(sounds: &[Sound], span: &Span) -> usize {
     let energy_in = |sound: &Sound, first: usize, length: usize| {
         let first = span.origin + first;
         let noise = sound.noise * length as f64;
@@ -281,14 +279,14 @@ fn sounding(sounds: &[Sound], span: &Span) -> usize {
     };
     let share_after = |after: usize| {
         let shares = sounds.iter().filter_map(|sound| {
-            let all = energy_in(sound, 0, span.most);
-            (all > 0.0).then(|| energy_in(sound, after, span.most - after) / all)
+            let all = energy_in(sound, 0, span.max);
+            (all > 0.0).then(|| energy_in(sound, after, span.max - after) / all)
         });
         let shares: Vec<f64> = shares.collect();
         shares.iter().sum::<f64>() / shares.len().max(1) as f64
     };
-    (span.least..span.most)
-        .step_by(span.least / 4 + 1)
-        .find(|&after| share_after(after) < LEAST_SHARE)
-        .unwrap_or(span.most)
+    (span.min..span.max)
+        .step_by(span.min / 4 + 1)
+        .find(|&after| share_after(after) < MIN_LATER_SHARE)
+        .unwrap_or(span.max)
 }

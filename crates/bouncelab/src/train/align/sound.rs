@@ -1,54 +1,32 @@
-//! The whitened surroundings of one impact, and where in them it begins.
+//! The whitened sound around one impact, and the time in it at which the impact begins.
 
-use super::template::{Doubt, Left, Noise, Template};
-use super::wave::{KERNEL, cross_correlation, norm, resample, running_energy};
+use super::template::{Noise, SmoothedNoise, Template, Uncertainty};
+use super::wave::{cross_correlation, norm, resample, running_energy};
 use crate::onset::Onset;
 use crate::simd::{LANES, Lanes, dispatch, sum_of_exp};
 use crate::stats::sort_by_number;
+use crate::train::parameters::{
+    KERNEL_REACH, MAX_RINGING_S, MAX_SHIFT_S, MAX_SHIFT_SIGMA, MAX_WAVE_AFTER_S, MIN_AGREEMENT,
+    MIN_CORRELATION, MIN_SHIFT_ODDS, MIN_SHIFT_S, MIN_WAVE_AFTER_S, NOISE_S,
+    SAMPLES_PER_INDEPENDENT, WAVE_BEFORE_S, WRONG_PICK_SHARE,
+};
 use crate::whiten::{self, Autoregression};
 use std::f64::consts::TAU;
 
-/// What is compared of each impact, in seconds before and after its time: as long as it sounds,
-/// but no longer than this, lest the next one is heard in it.
-const BEFORE_S: f64 = 0.0005;
-const AFTER_S: f64 = 0.0025;
-const MOST_AFTER_S: f64 = 0.008;
-/// The longest that an impact is heard to ring, in seconds.
-const RINGING_S: f64 = 0.1;
-/// The noise before an impact from which the whitening is learnt, in seconds.
-const NOISE_S: f64 = 0.010;
-/// The farthest an impact is shifted, in seconds, and in standard errors of its pick.
-const FARTHEST_S: f64 = 0.006;
-/// A pick may be surer of itself than it should be, in the ringing of the impact before: every
-/// impact is sought at least so far around its pick, in seconds.
-const NEAREST_S: f64 = 0.003;
-const FARTHEST_SIGMA: f64 = 6.0;
-/// An impact that correlates with the others by less, or of which it is not so many times likelier that it sounds like
-/// them than that it does not, keeps its pick.
-///
-/// Of the shortest sounds that are compared some 66 samples are independent at 44.1 kHz, so that noise correlates by 0.12
-/// with them, and at the best of a hundred shifts by 0.3. Of impacts 15 % sound unlike the others (`evidence`): with odds
-/// of 8 before that is counted, one in fifty would be moved to where it does not belong.
-const LEAST_CORRELATION: f64 = 0.35;
-const LEAST_ODDS: f64 = 8.0;
-/// Sounds agree if they correlate by more than this.
-const LEAST_AGREEMENT: f64 = 0.6;
-/// Of so many samples one counts: what impacts differ by is not white.
-const SAMPLES_ALIKE: f64 = 2.0;
-/// The share of picks that are wrong by anything, and not by their standard errors.
-const WRONG_PICKS: f64 = 0.1;
-
 /// Lengths in samples at one rate.
 pub(super) struct Span {
-    /// The picked time lies so far inside the samples of a sound.
+    /// Index of the picked time in the samples of a sound.
     pub(super) origin: usize,
+    /// Compared part: its samples before the picked time, and all of them.
     pub(super) before: usize,
     pub(super) length: usize,
-    /// The least and the greatest length after the picked time.
-    pub(super) least: usize,
-    pub(super) most: usize,
-    pub(super) nearest: f64,
-    pub(super) farthest: f64,
+    /// Minimum and maximum length after the picked time.
+    pub(super) min: usize,
+    pub(super) max: usize,
+    /// Minimum and maximum of the largest shift that is tried.
+    pub(super) min_shift: f64,
+    pub(super) max_shift: f64,
+    /// The noise before, and the longest ringing.
     pub(super) noise: usize,
     pub(super) ringing: usize,
 }
@@ -56,57 +34,57 @@ pub(super) struct Span {
 impl Span {
     pub(super) fn new(rate_hz: f64) -> Self {
         let samples = |time_s: f64| (time_s * rate_hz).ceil() as usize;
-        let before = samples(BEFORE_S);
-        let farthest = samples(FARTHEST_S).max(2);
+        let before = samples(WAVE_BEFORE_S);
+        let max_shift = samples(MAX_SHIFT_S).max(2);
         Self {
-            origin: before + farthest + KERNEL,
+            origin: before + max_shift + KERNEL_REACH,
             before,
-            length: before + samples(MOST_AFTER_S),
-            least: samples(AFTER_S),
-            most: samples(MOST_AFTER_S),
-            nearest: samples(NEAREST_S).max(2) as f64,
-            farthest: farthest as f64,
+            length: before + samples(MAX_WAVE_AFTER_S),
+            min: samples(MIN_WAVE_AFTER_S),
+            max: samples(MAX_WAVE_AFTER_S),
+            min_shift: samples(MIN_SHIFT_S).max(2) as f64,
+            max_shift: max_shift as f64,
             noise: samples(NOISE_S).max(4 * whiten::ORDER),
-            ringing: samples(RINGING_S),
+            ringing: samples(MAX_RINGING_S),
         }
     }
 
-    /// Samples of a sound that lie before the impact, wherever it begins.
+    /// Samples of a sound that lie before the impact at any shift.
     pub(super) fn quiet(&self) -> usize {
-        self.origin - self.before - self.nearest as usize
+        self.origin - self.before - self.min_shift as usize
     }
 
     /// Samples of a sound after its origin.
     fn after(&self) -> usize {
-        self.most + self.farthest as usize + KERNEL + 1
+        self.max + self.max_shift as usize + KERNEL_REACH + 1
     }
 }
 
-/// The whitened surroundings of one impact.
+/// The whitened sound around one impact.
 pub(super) struct Sound {
     pub(super) impact: usize,
     /// Samples on a grid that has the picked time at its origin.
     pub(super) samples: Vec<f32>,
-    /// Energy of the samples before each.
+    /// Energy of the samples before each sample.
     pub(super) energy: Vec<f64>,
-    /// Power of the noise before the impact, and what it was before smoothing: its density in the
-    /// band that is left.
+    /// Power of the noise before the impact, and its power before smoothing, which is its density in the
+    /// remaining band.
     pub(super) noise: f64,
     pub(super) density: f64,
-    /// How far the impact may be from its pick, in samples.
+    /// Maximum distance of the impact from its pick, in samples.
     pub(super) reach: usize,
     /// Standard error of the pick in samples.
     pub(super) pick_sigma: f64,
-    /// Where the impact begins, in samples after its pick.
+    /// Time of the impact, in samples after its pick.
     pub(super) shift: f64,
     /// Variance of the shift because other shifts fit as well, in samples squared.
     pub(super) ambiguity: f64,
-    /// Logarithm of how much likelier it is that it sounds like the others than that it does not.
+    /// Log odds that it sounds like the others.
     pub(super) ln_odds: f64,
     /// Whether it fits the others.
     pub(super) fits: bool,
-    /// What keeps the shift from being known, once it is settled.
-    pub(super) doubt: Option<Doubt>,
+    /// The sources of the error of the shift, once it is settled.
+    pub(super) uncertainty: Option<Uncertainty>,
 }
 
 /// The samples around one impact, and before them the noise from which the whitening is learnt.
@@ -116,16 +94,16 @@ pub(super) struct Cut {
     pub(super) at: f64,
     pub(super) first: usize,
     pub(super) samples: Vec<f32>,
-    /// Whether it is known to fit the others.
+    /// Whether it fitted the others in the pass before.
     pub(super) fits: bool,
 }
 
-/// Cuts out the impacts at these positions, in order of time, but for those too near the ends of
+/// Cuts out the impacts at these positions, in order of time, except those too near the ends of
 /// the samples.
 pub(super) fn cut_out(positions: &[f64], fits: &[bool], samples: &[f32], span: &Span) -> Vec<Cut> {
     let cut = |(impact, &at): (usize, &f64)| {
         let first = (at as usize).checked_sub(span.origin + span.noise)?;
-        let end = at as usize + span.after() + KERNEL;
+        let end = at as usize + span.after() + KERNEL_REACH;
         Some(Cut {
             impact,
             at,
@@ -139,7 +117,7 @@ pub(super) fn cut_out(positions: &[f64], fits: &[bool], samples: &[f32], span: &
     cuts
 }
 
-/// The cuts without what the noise before them foretells.
+/// The cuts less what a linear prediction, learnt from the noise before all of them, predicts.
 pub(super) fn whitened(cuts: &[Cut], onsets: &[Onset], rate_hz: f64, span: &Span) -> Vec<Sound> {
     let noises = cuts.iter().map(|cut| &cut.samples[..span.noise]);
     let model = Autoregression::learn_from_many(noises);
@@ -159,15 +137,15 @@ pub(super) fn whitened(cuts: &[Cut], onsets: &[Onset], rate_hz: f64, span: &Span
                 density: noise,
                 energy,
                 samples,
-                reach: (FARTHEST_SIGMA * pick_sigma)
-                    .clamp(span.nearest, span.farthest)
+                reach: (MAX_SHIFT_SIGMA * pick_sigma)
+                    .clamp(span.min_shift, span.max_shift)
                     .ceil() as usize,
                 pick_sigma,
                 shift: 0.0,
                 ambiguity: 0.0,
                 ln_odds: f64::NEG_INFINITY,
                 fits: cut.fits,
-                doubt: None,
+                uncertainty: None,
             }
         })
         .collect()
@@ -180,37 +158,37 @@ impl Sound {
         resample(&self.samples, first, span.length)
     }
 
-    /// Whether something begins here: the ringing of the impact before may look alike, but fades.
+    /// Whether a sound begins here: the ringing of the impact before may look similar, but decays.
     pub(super) fn begins(&self, span: &Span) -> bool {
         let length = span.origin - span.before;
-        // The others may have moved it to beyond what was cut out.
+        // The mean of the others may have shifted it to beyond the cut.
         let last = self.energy.len() - 1 - length;
-        let at = ((length as f64 + self.shift).max(0.0) as usize).min(last);
+        let start = ((length as f64 + self.shift).max(0.0) as usize).min(last);
         let energy = |first: usize| self.energy[first + length] - self.energy[first];
-        energy(at) > energy(at.saturating_sub(length))
+        energy(start) > energy(start.saturating_sub(length))
     }
 
-    /// Finds the most probable shift at which the sound fits the stack of the others, and how sure it is not another.
+    /// Finds the most probable shift at which the sound fits the stack of the others, and its ambiguity.
     pub(super) fn find(&mut self, others: &[f32], span: &Span) {
         let correlations = self.correlations(others, span);
         let ln_odds = self.ln_odds(&correlations, span);
         self.ln_odds = sum_of_exp(&ln_odds).ln();
         let best = best_peak(&correlations, &ln_odds).filter(|&best| {
-            self.ln_odds > LEAST_ODDS.ln() && correlations[best] > LEAST_CORRELATION
+            self.ln_odds > MIN_SHIFT_ODDS.ln() && correlations[best] > MIN_CORRELATION
         });
         self.take(best, &correlations);
         self.ambiguity = best.map_or(0.0, |best| ambiguity(best, &correlations, &ln_odds));
     }
 
-    /// Finds the shift at which the sound is most like the stack of the others, wherever that is.
-    pub(super) fn find_likest(&mut self, others: &[f32], span: &Span) {
+    /// Finds the shift at which the sound is most similar to the stack of the others, all shifts being equally probable.
+    pub(super) fn find_most_similar(&mut self, others: &[f32], span: &Span) {
         let correlations = self.correlations(others, span);
-        let best = best_peak(&correlations, &correlations);
-        let best = best.filter(|&best| correlations[best] > LEAST_AGREEMENT);
-        self.take(best, &correlations);
+        let peak = best_peak(&correlations, &correlations);
+        let agreeing = peak.filter(|&peak| correlations[peak] > MIN_AGREEMENT);
+        self.take(agreeing, &correlations);
     }
 
-    /// Takes the shift of one of these correlations, if any.
+    /// Takes the shift of one of these correlations, if any, interpolated by a parabola.
     fn take(&mut self, best: Option<usize>, correlations: &[f64]) {
         self.fits = best.is_some();
         self.shift = best.map_or(0.0, |best| {
@@ -218,21 +196,27 @@ impl Sound {
         });
     }
 
-    /// Settles the shift and what keeps it from being known, by the wave at the shift that was found.
-    pub(super) fn settle(&mut self, template: &Template, wave: &[f32], left: &Left, span: &Span) {
+    /// Refines the shift and measures its uncertainty, by the wave at the shift so far.
+    pub(super) fn settle(
+        &mut self,
+        template: &Template,
+        wave: &[f32],
+        smoothed: &SmoothedNoise,
+        span: &Span,
+    ) {
         let noise = Noise {
             power: self.noise,
-            heard: span.quiet() as f64,
-            alike: self.density / self.noise.max(f64::MIN_POSITIVE),
-            density: self.density * left.where_steep,
-            slope: self.density * left.slope,
+            samples: span.quiet() as f64,
+            correlated: self.density / self.noise.max(f64::MIN_POSITIVE),
+            density: self.density * smoothed.where_steep,
+            slope: self.density * smoothed.slope,
         };
         let fit = template.fit(wave);
         self.shift += template.step(&fit);
-        self.doubt = Some(template.doubt(&fit, &noise));
+        self.uncertainty = Some(template.uncertainty(&fit, &noise));
     }
 
-    /// The correlation with the others for every shift by whole samples that is tried.
+    /// The correlation with the others for every shift by whole samples within reach.
     fn correlations(&self, others: &[f32], span: &Span) -> Vec<f64> {
         let scale = f64::from(norm(others));
         let first = span.origin - span.before - self.reach;
@@ -245,16 +229,19 @@ impl Sound {
         correlations.collect()
     }
 
-    /// For each of these correlations, the logarithm of how much likelier it is that the sound begins there than that
-    /// it does not sound like the others.
+    /// For each of these correlations, the log odds that the sound begins there, over that it
+    /// does not sound like the others.
     ///
-    /// With a waveform known but for its level in white noise of unknown power, `n` samples that correlate by `r` are
-    /// `(1 - r^2)^(-n/2)` times as likely as without it.
+    /// In white noise of unknown power, a waveform of unknown level makes `n` samples that correlate with it by `r`
+    /// `(1 - r^2)^(-n/2)` times as likely (the profile likelihood ratio). The prior of the shift is normal with the standard
+    /// error of the pick, and uniform for a share of the picks that are wrong.
     fn ln_odds(&self, correlations: &[f64], span: &Span) -> Vec<f64> {
-        let alike = SAMPLES_ALIKE * (self.density / self.noise.max(f64::MIN_POSITIVE)).max(1.0);
-        let count = span.length as f64 / alike;
+        // Smoothing correlates neighbouring samples, in proportion to the power that it removes.
+        let correlated =
+            SAMPLES_PER_INDEPENDENT * (self.density / self.noise.max(f64::MIN_POSITIVE)).max(1.0);
+        let count = span.length as f64 / correlated;
         let sigma = self.pick_sigma.max(1.0);
-        let anywhere = WRONG_PICKS / correlations.len() as f64;
+        let anywhere = WRONG_PICK_SHARE / correlations.len() as f64;
         let mut ln_odds = Vec::with_capacity(correlations.len() + LANES);
         dispatch(
             #[inline(always)]
@@ -263,7 +250,7 @@ impl Sound {
                     let index = Lanes::<LANES>::of(|lane| (first + lane) as f64);
                     let off = (index - self.reach as f64) / sigma;
                     let near = (off * off * -0.5).exp() / (TAU.sqrt() * sigma);
-                    let prior = near * (1.0 - WRONG_PICKS) + anywhere;
+                    let prior = near * (1.0 - WRONG_PICK_SHARE) + anywhere;
                     let explained = Lanes::of(|lane| {
                         let correlation = correlations.get(first + lane);
                         correlation.map_or(0.0, |correlation| correlation.max(0.0).powi(2))
@@ -278,33 +265,39 @@ impl Sound {
     }
 }
 
-/// The peak of these values that is the best by others.
-fn best_peak(values: &[f64], by: &[f64]) -> Option<usize> {
-    peaks(values).reduce(|best, peak| if by[peak] > by[best] { peak } else { best })
+/// The peak of these values at which `score` is largest.
+fn best_peak(values: &[f64], score: &[f64]) -> Option<usize> {
+    peaks(values).reduce(|best, peak| {
+        if score[peak] > score[best] {
+            peak
+        } else {
+            best
+        }
+    })
 }
 
-/// The places of the values that are greater than those before and after.
+/// The indices of the values that are greater than those before and after.
 fn peaks(values: &[f64]) -> impl Iterator<Item = usize> {
-    let places = values.windows(3).enumerate();
-    places.filter_map(|(before, near)| match *near {
+    let threes = values.windows(3).enumerate();
+    threes.filter_map(|(before, near)| match *near {
         [left, top, right] if top >= left && top > right => Some(before + 1),
         _ => None,
     })
 }
 
-/// Where the parabola through three values has its vertex, in steps from the middle one.
+/// The vertex of the parabola through three values, in steps from the middle one.
 fn vertex(values: &[f64]) -> f64 {
     let (left, top, right) = (values[0], values[1], values[2]);
     0.5 * (left - right) / (left - 2.0 * top + right)
 }
 
-/// The mean square of how far the true shift is from the best one, if it is that of a peak.
+/// The mean square distance of the true shift from the best one, if it is that of some peak.
 fn ambiguity(best: usize, correlations: &[f64], ln_odds: &[f64]) -> f64 {
     let (mut weights, mut sum) = (0.0, 0.0);
-    for place in peaks(correlations) {
-        let weight = (ln_odds[place] - ln_odds[best]).exp();
+    for peak in peaks(correlations) {
+        let weight = (ln_odds[peak] - ln_odds[best]).exp();
         weights += weight;
-        sum += weight * (place as f64 - best as f64).powi(2);
+        sum += weight * (peak as f64 - best as f64).powi(2);
     }
     sum / weights
 }
@@ -319,7 +312,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_impact_moved_out_of_its_sound_is_survived() {
+    fn an_impact_shifted_out_of_its_sound_does_not_begin() {
         let span = Span::new(44_100.0);
         let fading = (0..span.origin + span.after()).map(|n| 0.99_f32.powf(n as f32));
         let samples: Vec<f32> = fading.collect();
@@ -336,7 +329,7 @@ mod tests {
                 ambiguity: 0.0,
                 ln_odds: 0.0,
                 fits: false,
-                doubt: None,
+                uncertainty: None,
             };
             assert!(!sound.begins(&span), "{shift}");
             assert_eq!(sound.wave(&span, shift).len(), span.length);

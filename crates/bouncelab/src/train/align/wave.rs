@@ -1,32 +1,27 @@
 //! Arithmetic on waves: products, smoothing, values and slopes between samples.
 
 use crate::simd::{add_weighted, dispatch, sum_of_products};
+use crate::train::parameters::KERNEL_REACH;
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
-/// Half the length of the interpolation kernel in samples.
-pub(super) const KERNEL: usize = 8;
-
-/// A bell of weights that reaches so far to both sides, its sum 1.
+/// A Hann window of `2 * reach + 1` weights, whose sum is 1.
 pub(super) fn smoothing(reach: usize) -> Vec<f32> {
-    let bell: Vec<f64> = (0..=2 * reach)
+    let window: Vec<f64> = (0..=2 * reach)
         .map(|n| 1.0 - (PI * (n + 1) as f64 / (reach + 1) as f64).cos())
         .collect();
-    let sum: f64 = bell.iter().sum();
-    bell.iter().map(|weight| (weight / sum) as f32).collect()
+    let sum: f64 = window.iter().sum();
+    window.iter().map(|weight| (weight / sum) as f32).collect()
 }
 
-/// As many samples, each the weighted mean of those around it.
+/// The samples, each replaced by the weighted mean of those around it.
 pub(super) fn convolve(samples: &[f32], kernel: &[f32]) -> Vec<f32> {
     let reach = kernel.len() / 2;
     let first = -reach.cast_signed();
-    cross_correlation(
-        &in_silence(samples, first, samples.len() + 2 * reach),
-        kernel,
-    )
+    cross_correlation(&padded(samples, first, samples.len() + 2 * reach), kernel)
 }
 
-/// The cross-correlation of a template with samples, for each place at which it lies within them.
+/// The cross-correlation of a template with samples, for each index at which it lies within them.
 pub(super) fn cross_correlation(samples: &[f32], template: &[f32]) -> Vec<f32> {
     let mut sums = vec![0.0; samples.len() + 1 - template.len()];
     dispatch(
@@ -36,33 +31,37 @@ pub(super) fn cross_correlation(samples: &[f32], template: &[f32]) -> Vec<f32> {
     sums
 }
 
-/// So many samples from a place on; silence lies before the first and after the last.
-fn in_silence(samples: &[f32], first: isize, length: usize) -> Cow<'_, [f32]> {
+/// `length` samples from an index on; before the first and after the last they are 0.
+fn padded(samples: &[f32], first: isize, length: usize) -> Cow<'_, [f32]> {
     let inside = usize::try_from(first).ok();
     if let Some(all) = inside.and_then(|first| samples.get(first..first + length)) {
         return all.into();
     }
     let silent = first.min(0).unsigned_abs().min(length);
-    let heard = samples.get(first.max(0).unsigned_abs()..);
+    let existing = samples.get(first.max(0).unsigned_abs()..);
     let mut padded = vec![0.0; length];
-    for (padded, sample) in padded[silent..].iter_mut().zip(heard.unwrap_or_default()) {
+    for (padded, sample) in padded[silent..]
+        .iter_mut()
+        .zip(existing.unwrap_or_default())
+    {
         *padded = *sample;
     }
     padded.into()
 }
 
-/// The derivative of a band-limited signal, for each sample; silence lies before and after.
+/// The derivative of a band-limited signal for each sample, which is 0 outside of the samples: the convolution with the
+/// derivative of the sinc, (-1)^k/k, in a Hann window.
 pub(super) fn derivative(samples: &[f32]) -> Vec<f32> {
-    let weight = |place: usize| {
-        if place == KERNEL {
+    let weight = |index: usize| {
+        if index == KERNEL_REACH {
             return 0.0;
         }
-        let k = place as f64 - KERNEL as f64;
-        let window = 0.5 + 0.5 * (PI * k / (KERNEL + 1) as f64).cos();
-        let sign = if place % 2 == 1 { 1.0 } else { -1.0 };
+        let k = index as f64 - KERNEL_REACH as f64;
+        let window = 0.5 + 0.5 * (PI * k / (KERNEL_REACH + 1) as f64).cos();
+        let sign = if index % 2 == 1 { 1.0 } else { -1.0 };
         (sign * window / k) as f32
     };
-    let weights: [f32; 2 * KERNEL + 1] = std::array::from_fn(weight);
+    let weights: [f32; 2 * KERNEL_REACH + 1] = std::array::from_fn(weight);
     convolve(samples, &weights)
 }
 
@@ -87,26 +86,25 @@ pub(super) fn running_energy(samples: &[f32]) -> Vec<f64> {
     std::iter::once(0.0).chain(sums).collect()
 }
 
-/// So many values from a position between samples on, by a windowed sinc; silence lies before
+/// `length` values from a position between samples on, by a windowed sinc; the signal is 0 before
 /// the first sample and after the last.
 pub(super) fn resample(samples: &[f32], position: f64, length: usize) -> Vec<f32> {
     let whole = position.floor();
     let kernel = kernel(position - whole);
-    let first = whole as isize + 1 - KERNEL.cast_signed();
-    cross_correlation(
-        &in_silence(samples, first, length + kernel.len() - 1),
-        &kernel,
-    )
+    let first = whole as isize + 1 - KERNEL_REACH.cast_signed();
+    cross_correlation(&padded(samples, first, length + kernel.len() - 1), &kernel)
 }
 
 /// The weights of the samples around a position this fraction after one of them.
-fn kernel(fraction: f64) -> [f32; 2 * KERNEL] {
-    // From tap to tap the sine changes its sign, and the window turns by an equal angle.
-    let mut sin = (PI * (fraction + KERNEL as f64 - 1.0)).sin() / PI;
-    let (turn_sin, turn_cos) = (PI / KERNEL as f64).sin_cos();
-    let (mut window_sin, mut window_cos) = (PI * (1.0 - fraction) / KERNEL as f64 - PI).sin_cos();
+fn kernel(fraction: f64) -> [f32; 2 * KERNEL_REACH] {
+    // sin(πx)/(πx) times a Hann window. From tap to tap the sine changes its sign and the angle of the window grows by an
+    // equal step, so three calls of sine and cosine suffice for all taps.
+    let mut sin = (PI * (fraction + KERNEL_REACH as f64 - 1.0)).sin() / PI;
+    let (turn_sin, turn_cos) = (PI / KERNEL_REACH as f64).sin_cos();
+    let (mut window_sin, mut window_cos) =
+        (PI * (1.0 - fraction) / KERNEL_REACH as f64 - PI).sin_cos();
     std::array::from_fn(|tap| {
-        let x = (tap + 1) as f64 - KERNEL as f64 - fraction;
+        let x = (tap + 1) as f64 - KERNEL_REACH as f64 - fraction;
         let weight = if x.abs() < 1e-9 {
             1.0
         } else {
@@ -137,12 +135,12 @@ mod tests {
     }
 
     #[test]
-    fn silence_lies_before_and_after() {
+    fn the_signal_is_zero_outside_of_the_samples() {
         let samples = [1.0, 2.0, 3.0];
         let around = resample(&samples, -2.0, 7);
         let expected = [0.0, 0.0, 1.0, 2.0, 3.0, 0.0, 0.0];
-        for (found, expected) in around.iter().zip(expected) {
-            assert!((found - expected).abs() < 1e-6, "{around:?}");
+        for (value, expected) in around.iter().zip(expected) {
+            assert!((value - expected).abs() < 1e-6, "{around:?}");
         }
         assert_eq!(resample(&samples, -40.0, 2), [0.0; 2]);
         assert_eq!(resample(&samples, 40.0, 2), [0.0; 2]);
@@ -153,9 +151,9 @@ mod tests {
     fn the_derivative_is_that_of_a_band_limited_signal() {
         let tone: Vec<f32> = (0..200).map(|n| (0.7 * n as f32).sin()).collect();
         let slope = derivative(&tone);
-        for (place, slope) in slope.iter().enumerate().take(150).skip(50) {
-            let expected = 0.7 * (0.7 * place as f32).cos();
-            assert!((slope - expected).abs() < 5e-3, "{place}");
+        for (index, slope) in slope.iter().enumerate().take(150).skip(50) {
+            let expected = 0.7 * (0.7 * index as f32).cos();
+            assert!((slope - expected).abs() < 5e-3, "{index}");
         }
     }
 }

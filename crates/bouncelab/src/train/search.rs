@@ -1,0 +1,360 @@
+//! The search for trains among onsets.
+
+use super::align;
+use super::chain::{self, Chain, Link};
+use super::evidence::{self, Span};
+use super::parameters::{
+    AGREEING_IMPACTS, AGREEING_OTHERS, AGREEING_SOUNDS, COMPARED_MARGIN_S, COMPARED_REACH_S,
+    CONCURRENT_REACH_S, CROWD_REACH_S, ISOLATION_REACH_S, LN_CONCURRENT, LN_CONTINUES, LN_RHYTHM,
+    MAX_COMPARED, MAX_DOUBT, MAX_FAINT_ONSETS, MIN_EVIDENCE, MIN_FALL_S,
+};
+use super::rhythm::{self, Pulse};
+use super::{MIN_IMPACTS, Onset, PeriodicSequence, Train, TrainImpact, TrainSearch};
+use crate::stats::{logistic, median, softplus, sort_by_number};
+use statrs::function::beta::ln_beta;
+use std::ops::Range;
+
+/// A part of a recording.
+#[derive(Default)]
+pub(crate) struct Excerpt {
+    pub(crate) samples: Vec<f32>,
+    pub(crate) start_s: f64,
+    pub(crate) rate_hz: f64,
+}
+
+/// Reads the part of the recording between two times, in seconds.
+pub(crate) type Read<'a> = &'a dyn Fn(Range<f64>) -> Excerpt;
+
+/// Adds the trains among these onsets to `result`; they are all onsets of this span.
+pub(crate) fn search(onsets: &[Onset], span: Span, read: Read, result: &mut TrainSearch) {
+    let before = result.trains.len();
+    let informative = informative(onsets);
+    search_among(&informative, span, read, result);
+    let mut new = result.trains.split_off(before);
+    add_concurrent(&informative, span, read, &mut new);
+    join(&mut new);
+    result.trains.append(&mut new);
+}
+
+/// Leaves out the faint onsets where they are crowded: more than [`MAX_FAINT_ONSETS`] within ±[`CROWD_REACH_S`].
+fn informative(onsets: &[Onset]) -> Vec<Onset> {
+    let faint_s: Vec<f64> = onsets
+        .iter()
+        .filter(|o| !o.stands_out())
+        .map(|o| o.time_s)
+        .collect();
+    let is_crowded = |time_s: f64| {
+        let first = faint_s.partition_point(|t| *t < time_s - CROWD_REACH_S);
+        let end = faint_s.partition_point(|t| *t <= time_s + CROWD_REACH_S);
+        end - first > MAX_FAINT_ONSETS
+    };
+    onsets
+        .iter()
+        .filter(|o| o.stands_out() || !is_crowded(o.time_s))
+        .copied()
+        .collect()
+}
+
+/// Takes the best train and searches again before and after it.
+fn search_among(onsets: &[Onset], span: Span, read: Read, result: &mut TrainSearch) {
+    let best = match best(onsets, span, read, 0.0) {
+        None => return,
+        Some(Best::Rhythm(links)) => {
+            let others = take_periodic(onsets, &links, result);
+            search_among(&others, span, read, result);
+            return;
+        }
+        Some(Best::Drop(train)) => train,
+    };
+    let before = Span {
+        end_s: best.start_s() - MIN_FALL_S,
+        ..span
+    };
+    let after = Span {
+        start_s: best.end_s() + MIN_FALL_S,
+        ..span
+    };
+    let end_before = onsets.partition_point(|o| o.time_s < before.end_s);
+    let first_after = onsets.partition_point(|o| o.time_s <= after.start_s);
+    search_among(&onsets[..end_before], before, read, result);
+    result.trains.push(best);
+    search_among(&onsets[first_after..], after, read, result);
+}
+
+/// The explanation of the best chain among some onsets.
+enum Best {
+    Drop(Train),
+    Rhythm(Vec<Link>),
+}
+
+/// The best chain, if it is more likely than chance; `ln_prior` is the logarithm of the prior odds of a drop here over
+/// those anywhere.
+fn best(onsets: &[Onset], span: Span, read: Read, ln_prior: f64) -> Option<Best> {
+    if onsets.len() < MIN_IMPACTS {
+        return None;
+    }
+    let mut chain = chain::best(onsets, span)?;
+    let rhythm = chain.end_at_rhythm(onsets);
+    chain.evidence += ln_prior + isolation(onsets, &chain) + loudest(onsets, &chain);
+    if chain.evidence.abs() < MAX_DOUBT {
+        chain.evidence += agreement(onsets, &chain, read);
+    }
+    if chain.evidence < MIN_EVIDENCE {
+        return rhythm.map(Best::Rhythm);
+    }
+    // Further impacts first, because the rhythm explains all of them too.
+    chain.extend(onsets, 0.0);
+    chain.end_at_rhythm(onsets);
+    let beats = chain::beats(onsets, &chain.links);
+    let over_rhythm = chain.ln_flights(onsets) - rhythm::ln_likelihood(&beats) - LN_RHYTHM;
+    let evidence = over_both(chain.evidence, over_rhythm);
+    if evidence < MIN_EVIDENCE {
+        return Some(Best::Rhythm(chain.links));
+    }
+    // What an accepted drop makes more likely is no evidence for it.
+    let log_bayes_factor = chain.evidence;
+    chain.extend(onsets, LN_CONTINUES);
+    chain.end_at_rhythm(onsets);
+    Some(Best::Drop(Train {
+        evidence,
+        log_bayes_factor,
+        impacts: impacts(onsets, &chain),
+    }))
+}
+
+/// Adds the drops that share their time with these: other balls that bounce concurrently.
+fn add_concurrent(onsets: &[Onset], span: Span, read: Read, trains: &mut Vec<Train>) {
+    let mut index = 0;
+    while let Some(train) = trains.get(index) {
+        let first = onsets.partition_point(|o| o.time_s < train.start_s() - CONCURRENT_REACH_S);
+        let end = onsets.partition_point(|o| o.time_s <= train.end_s() + CONCURRENT_REACH_S);
+        // The train itself is among them.
+        let taken: Vec<&Train> = trains.iter().filter(|it| train.is_concurrent(it)).collect();
+        let is_free = |onset: &&Onset| !taken.iter().any(|it| it.has(onset));
+        let free: Vec<Onset> = onsets[first..end].iter().filter(is_free).copied().collect();
+        let candidate = match best(&free, span, read, LN_CONCURRENT) {
+            Some(Best::Drop(other)) if train.is_concurrent(&other) && !other.echoes(train) => other,
+            _ => {
+                index += 1;
+                continue;
+            }
+        };
+        // A partial train found earlier, before or after the first one, is contained in the new one. Only a longer train
+        // replaces others, which guarantees termination.
+        let is_longer = |other: &Train| other.impacts.len() < candidate.impacts.len();
+        let mut replaced = trains.iter().filter(|other| other.is_same_drop(&candidate));
+        if replaced.all(is_longer) && !train.is_same_drop(&candidate) {
+            trains.retain(|other| !other.is_same_drop(&candidate));
+            trains.push(candidate);
+        } else {
+            index += 1;
+        }
+    }
+    sort_by_number(trains, Train::start_s);
+}
+
+/// Joins each train, in order of the starts, with the one that ended last before it if that is the same ball.
+fn join(trains: &mut Vec<Train>) {
+    let mut index = 1;
+    while index < trains.len() {
+        let (earlier, rest) = trains.split_at_mut(index);
+        let later = &rest[0];
+        let over = earlier.iter_mut().filter(|it| it.end_s() < later.start_s());
+        let last = over.max_by(|a, b| a.end_s().total_cmp(&b.end_s()));
+        if last.is_some_and(|last| last.continue_with(later)) {
+            trains.remove(index);
+        } else {
+            index += 1;
+        }
+    }
+}
+
+/// Takes out a sequence that keeps time, with the beats that continue it to both sides; returns the
+/// other sounds.
+fn take_periodic(onsets: &[Onset], links: &[Link], result: &mut TrainSearch) -> Vec<Onset> {
+    let mut pulse = Pulse::like(onsets, links);
+    pulse.take(links);
+    let times_s: Vec<f64> = pulse.onsets(true).map(|(_, onset)| onset.time_s).collect();
+    let intervals_s = times_s.windows(2).map(|pair| pair[1] - pair[0]);
+    result.periodic.push(PeriodicSequence {
+        start_s: times_s[0],
+        interval_s: median(intervals_s).unwrap_or(f64::INFINITY),
+        count: times_s.len(),
+    });
+    pulse.onsets(false).map(|(_, onset)| *onset).collect()
+}
+
+/// Evidence from the level of the loudest impact.
+fn loudest(onsets: &[Onset], chain: &Chain) -> f64 {
+    let levels_db = chain.links.iter().map(|link| onsets[link.onset].level_db);
+    evidence::ln_loudest(levels_db.fold(f64::NEG_INFINITY, f64::max))
+}
+
+/// Evidence from the isolation of the impacts.
+///
+/// Other sounds are as likely to fall before, between and after the impacts of a drop as at their
+/// times. If there are n impacts and m other sounds as strong, the rate of other sounds that
+/// explains all of them is (n + m) / m times the one that explains only the others. The
+/// ratio of the two Poisson probabilities is exp(n) (m / (n + m))^m.
+fn isolation(onsets: &[Onset], chain: &Chain) -> f64 {
+    let time_s = |link: usize| onsets[chain.links[link].onset].time_s;
+    let start_s = time_s(0) - ISOLATION_REACH_S;
+    let end_s = time_s(chain.links.len() - 1) + ISOLATION_REACH_S;
+    let first = onsets.partition_point(|o| o.time_s < start_s);
+    let end = onsets.partition_point(|o| o.time_s <= end_s);
+    let impacts: Vec<f64> = chain
+        .links
+        .iter()
+        .map(|l| onsets[l.onset].strength)
+        .collect();
+    // The strength above which sounds are counted is free: the one with the most evidence.
+    impacts
+        .iter()
+        .map(|&strength| {
+            let as_strong = |s: &&f64| **s >= strength;
+            let n = impacts.iter().filter(as_strong).count();
+            let all: Vec<f64> = onsets[first..end].iter().map(|o| o.strength).collect();
+            let m = all.iter().filter(as_strong).count() - n;
+            let (n, m) = (n as f64, m as f64);
+            if m > 0.0 {
+                n - m * (1.0 + n / m).ln()
+            } else {
+                n
+            }
+        })
+        .fold(0.0, f64::max)
+}
+
+/// Evidence from the waveforms: the impacts of a drop agree with each other where the other sounds around
+/// do not agree with them.
+///
+/// If it is a drop, some share of its impacts agrees, depending on ball and recorder, and one other in
+/// twenty by chance. If it is not, the same share of all agrees, such as that of drums that repeat.
+fn agreement(onsets: &[Onset], chain: &Chain, read: Read) -> f64 {
+    let impacts: Vec<Onset> = chain.links.iter().map(|l| onsets[l.onset]).collect();
+    let start_s = impacts[0].time_s - COMPARED_REACH_S;
+    let end_s = impacts[impacts.len() - 1].time_s + COMPARED_REACH_S;
+    let near = onsets.partition_point(|o| o.time_s < start_s)
+        ..onsets.partition_point(|o| o.time_s <= end_s);
+    let is_other = |index: &usize| {
+        onsets[*index].stands_out() && chain.links.iter().all(|link| link.onset != *index)
+    };
+    let mut others: Vec<Onset> = near.filter(is_other).map(|index| onsets[index]).collect();
+    sort_by_number(&mut others, |onset| -onset.strength);
+    others.truncate(MAX_COMPARED);
+    let excerpt = read(start_s - COMPARED_MARGIN_S..end_s + COMPARED_MARGIN_S);
+    let agreement = align::agreement(
+        &impacts,
+        &others,
+        &excerpt.samples,
+        excerpt.start_s,
+        excerpt.rate_hz,
+    );
+    let (agreeing, of_impacts) = agreement.impacts;
+    let (agreeing_others, of_others) = agreement.others;
+    let all = (agreeing + agreeing_others, of_impacts + of_others);
+    ln_share((agreeing, of_impacts), AGREEING_IMPACTS)
+        + ln_share((agreeing_others, of_others), AGREEING_OTHERS)
+        - ln_share(all, AGREEING_SOUNDS)
+}
+
+/// Log probability that a given `count` of `of` sounds agree, if their share has
+/// a beta distribution with parameters `a` and `b`.
+fn ln_share((count, of): (usize, usize), (a, b): (f64, f64)) -> f64 {
+    let (agreeing, others) = (count as f64, (of - count) as f64);
+    ln_beta(a + agreeing, b + others) - ln_beta(a, b)
+}
+
+/// Evidence for an explanation over the sum of two others, given that over each of them: with odds x and y it is
+/// 1/(1/x + 1/y).
+fn over_both(one: f64, other: f64) -> f64 {
+    one - softplus(one - other)
+}
+
+fn impacts(onsets: &[Onset], chain: &Chain) -> Vec<TrainImpact> {
+    std::iter::zip(&chain.links, chain.evidence_without_each(onsets))
+        .map(|(link, without)| TrainImpact {
+            onset: onsets[link.onset],
+            number: link.number,
+            probability: logistic(chain.evidence - without),
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    const RATE_HZ: f64 = 44_100.0;
+
+    /// A faint drop of six impacts among ten other sounds.
+    fn times_s() -> (Vec<f64>, Vec<f64>) {
+        let impacts_s = (0..6).scan(1.0, |time_s, n| {
+            let now_s = *time_s;
+            *time_s += 0.4 * 0.85_f64.powi(n);
+            Some(now_s)
+        });
+        let others_s = (0..10).map(|n| 0.63 + 0.2817 * f64::from(n) + 0.01 * f64::from(n * n % 7));
+        (impacts_s.collect(), others_s.collect())
+    }
+
+    /// A sound of 5 ms at each of these times, in faint noise; those of one pitch agree.
+    fn record(sounds: &[(f64, f64)]) -> Vec<f32> {
+        let mut state = 1_u32;
+        let mut samples: Vec<f32> = (0..4 * RATE_HZ as usize)
+            .map(|_| {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                1e-4 * ((state >> 8) as f32 / 8e6 - 1.0)
+            })
+            .collect();
+        for &(time_s, pitch_hz) in sounds {
+            let first = (time_s * RATE_HZ).ceil() as usize;
+            for (n, sample) in samples[first..first + 220].iter_mut().enumerate() {
+                let t = (first + n) as f64 / RATE_HZ - time_s;
+                *sample += (0.1 * (-t / 0.001).exp() * (TAU * pitch_hz * t).sin()) as f32;
+            }
+        }
+        samples
+    }
+
+    /// Evidence of the waveforms for the drop.
+    fn evidence(read: Read) -> f64 {
+        let (impacts_s, others_s) = times_s();
+        let mut times_s = [impacts_s, others_s].concat();
+        times_s.sort_by(f64::total_cmp);
+        let onsets: Vec<Onset> = times_s.into_iter().map(Onset::click).collect();
+        let chain = chain::best(&onsets, Span::UNBOUNDED).unwrap();
+        assert_eq!(chain.links.len(), 6);
+        agreement(&onsets, &chain, read)
+    }
+
+    /// The same if the other sounds have pitches this far apart.
+    fn evidence_in(apart_hz: f64) -> f64 {
+        let (impacts_s, others_s) = times_s();
+        let impacts = impacts_s.iter().map(|t| (*t, 3000.0));
+        let others = (1..).zip(&others_s);
+        let others = others.map(|(n, t)| (*t, 3000.0 + apart_hz * f64::from(n)));
+        let samples = record(&impacts.chain(others).collect::<Vec<_>>());
+        evidence(&|_| Excerpt {
+            samples: samples.clone(),
+            start_s: 0.0,
+            rate_hz: RATE_HZ,
+        })
+    }
+
+    #[test]
+    fn impacts_that_are_alike_among_others_that_are_not_are_more_likely_a_drop() {
+        assert!(evidence_in(1000.0) > 5.0);
+    }
+
+    #[test]
+    fn impacts_that_are_alike_among_others_like_them_are_less_likely_a_drop() {
+        assert!(evidence_in(0.0) < -5.0);
+    }
+
+    #[test]
+    fn without_samples_the_waveforms_are_no_evidence() {
+        assert!(evidence(&|_| Excerpt::default()).abs() < 1e-12);
+    }
+}
