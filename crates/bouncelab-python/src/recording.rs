@@ -55,7 +55,7 @@ impl Kept {
             probability: drop.probability,
         });
         let envelope = result.envelope.as_ref().map(|it| {
-            let (least, greatest) = (it.least().to_vec(), it.greatest().to_vec());
+            let (least, greatest) = (it.min().to_vec(), it.max().to_vec());
             (it.step_s(), least, greatest)
         });
         Self {

@@ -206,7 +206,7 @@ impl<'a> Session<'a> {
         let mut from = 0;
         while from < frames && !self.has_enough() {
             let left = usize::try_from(self.last_frame - self.frames).unwrap_or(usize::MAX);
-            let to = frames.min(from + self.watch.drops.frames_until_look().min(left));
+            let to = frames.min(from + self.watch.drops.frames_until_poll().min(left));
             let piece: Vec<&[f32]> = planes.iter().map(|plane| &plane[from..to]).collect();
             self.hear_piece(&piece)?;
             from = to;

@@ -49,7 +49,7 @@ impl Watch {
     pub(super) fn going(&mut self) -> Option<Going<'_>> {
         self.glimpse.renew(self.drops.detector());
         let mut trains = self.glimpse.trains.iter();
-        let train = trains.rfind(|train| !self.drops.was_told(train))?;
+        let train = trains.rfind(|train| !self.drops.was_reported(train))?;
         Some(Going {
             impacts: train.impacts(),
             rests: self.drops.now_s() > latest_next_s(train.impacts()),

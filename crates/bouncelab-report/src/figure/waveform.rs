@@ -41,7 +41,7 @@ impl Mark {
 /// The sound against time, with a mark at each impact; uncertain ones are open and orange.
 pub fn waveform(sound: &Envelope, marks: &[Mark], translator: &Translator) -> Chart {
     let peak = peak(sound);
-    let duration_s = sound.least().len() as f64 * sound.step_s();
+    let duration_s = sound.min().len() as f64 * sound.step_s();
     let (Some(peak), true) = (peak, duration_s > 0.0 && duration_s.is_finite()) else {
         return Chart::empty(translator, "waveform");
     };
@@ -69,7 +69,7 @@ pub fn waveform(sound: &Envelope, marks: &[Mark], translator: &Translator) -> Ch
 
 /// The loudest sample, or that of silence; `None` without samples.
 fn peak(sound: &Envelope) -> Option<f64> {
-    let samples = sound.least().iter().chain(sound.greatest());
+    let samples = sound.min().iter().chain(sound.max());
     let finite = samples.filter(|sample| sample.is_finite());
     let levels = finite.map(|sample| f64::from(sample.abs()));
     levels.reduce(f64::max).map(|peak| peak.max(1e-5))
@@ -78,12 +78,9 @@ fn peak(sound: &Envelope) -> Option<f64> {
 /// Least and greatest sample of each step, as two edges of the step each, so that a single loud one
 /// has a width. What is not a number is a gap.
 fn outline(sound: &Envelope, peak: f64, seconds: f64) -> Vec<[f64; 3]> {
-    let per_step = sound.least().len().div_ceil(STEPS).max(1);
+    let per_step = sound.min().len().div_ceil(STEPS).max(1);
     let step_s = sound.step_s() * per_step as f64;
-    let steps = std::iter::zip(
-        sound.least().chunks(per_step),
-        sound.greatest().chunks(per_step),
-    );
+    let steps = std::iter::zip(sound.min().chunks(per_step), sound.max().chunks(per_step));
     let mut outline = Vec::new();
     let mut before: Option<(f64, f64)> = None;
     for (step, (least, greatest)) in steps.enumerate() {

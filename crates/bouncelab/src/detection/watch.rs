@@ -1,25 +1,14 @@
-//! Which drops are over, while sound still comes?
+//! Which drops are over in a live stream.
 
+use super::parameters::{MAX_WORK_PER_S, MIN_EVALUATION_S, POLL_S, SETTLED_S};
 use super::{Detection, DetectionOptions, Detector};
 use crate::Result;
 use crate::train::{Train, TrainSearch, latest_next_s};
 
-/// How often is looked whether something is to be told, in seconds of sound.
-const LOOK_S: f64 = 0.1;
-/// All sounds are judged anew this often at most, in seconds of sound, while no drop is known.
-const JUDGE_S: f64 = 1.0;
-/// Among dense sounds they are judged less often, so that each second of sound brings no more work than this, as
-/// [`Detector::work`] counts it: a tenth of a second or less on an ordinary computer. Steady clicks, 30 a second,
-/// are still judged each second; 100 a second, every ten seconds.
-const WORK_PER_S: f64 = 16e6;
-/// Sounds this much later than a drop, in seconds, no longer change how it is judged: no sound is
-/// compared with others farther away than 3 s, and none is noticed more than half a second late.
-const SETTLED_S: f64 = 3.6;
-
-/// Watches sound that still comes, and tells of each drop once, when it is over.
+/// Watches a live stream, and reports each drop once, when it is over.
 ///
-/// What it tells depends on the sound alone, never on the blocks in which it comes, and is what the
-/// whole recording says of the drop.
+/// The reports depend on the sound alone, not on the blocks in which it comes, and equal the
+/// result of the whole recording for the drop.
 ///
 /// ```
 /// use bouncelab::demo;
@@ -37,22 +26,22 @@ const SETTLED_S: f64 = 3.6;
 pub struct DropWatch {
     detector: Detector,
     sample_rate_hz: f64,
-    /// How many frames were heard, and how many will have been at the next look.
+    /// Number of frames so far, and at the next poll.
     frames: u64,
-    next_look: u64,
-    /// What was heard when all was last judged, how many sounds there were, and before when that is not done again.
-    heard: Option<Detection>,
-    judged_onsets: usize,
-    next_judge_s: f64,
-    told: Vec<Train>,
-    /// What had been heard when a drop was last told of.
-    last: Reported,
+    next_poll: u64,
+    /// The result of the last evaluation, the number of sounds then, and the earliest time of the next one.
+    detection: Option<Detection>,
+    evaluated_onsets: usize,
+    next_evaluation_s: f64,
+    reported: Vec<Train>,
+    /// The state at the last report.
+    last: LastReport,
 }
 
-/// What is counted from drop to drop.
+/// What is counted from report to report.
 #[derive(Clone, Copy, Debug, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-struct Reported {
+struct LastReport {
     time_s: f64,
     clipped_samples: u64,
 }
@@ -68,28 +57,28 @@ impl DropWatch {
             detector: Detector::with_options(sample_rate_hz, channels, options)?,
             sample_rate_hz: f64::from(sample_rate_hz),
             frames: 0,
-            next_look: 0,
-            heard: None,
-            judged_onsets: 0,
-            next_judge_s: JUDGE_S,
-            told: Vec::new(),
-            last: Reported::default(),
+            next_poll: 0,
+            detection: None,
+            evaluated_onsets: 0,
+            next_evaluation_s: MIN_EVALUATION_S,
+            reported: Vec::new(),
+            last: LastReport::default(),
         };
-        watch.set_next_look();
+        watch.set_next_poll();
         Ok(watch)
     }
 
-    /// How much sound came, in seconds.
+    /// Duration of the sound so far, in seconds.
     pub fn now_s(&self) -> f64 {
         self.frames as f64 / self.sample_rate_hz
     }
 
-    /// How many frames there are until the next look.
-    pub fn frames_until_look(&self) -> usize {
-        (self.next_look - self.frames) as usize
+    /// Number of frames until the next poll.
+    pub fn frames_until_poll(&self) -> usize {
+        (self.next_poll - self.frames) as usize
     }
 
-    /// Takes the next samples of every channel, and returns the drops that are over since: each as a
+    /// Takes the next samples of every channel, and returns the drops that are now over: each as a
     /// recording of its own.
     ///
     /// # Panics
@@ -100,68 +89,69 @@ impl DropWatch {
         let mut over = Vec::new();
         let mut from = 0;
         while from < frames {
-            let to = frames.min(from + self.frames_until_look());
+            let to = frames.min(from + self.frames_until_poll());
             let part: Vec<&[f32]> = channels.iter().map(|samples| &samples[from..to]).collect();
             self.detector.push(&part);
             self.frames += (to - from) as u64;
-            if self.frames >= self.next_look {
-                self.set_next_look();
-                over.extend(self.look());
+            if self.frames >= self.next_poll {
+                self.set_next_poll();
+                over.extend(self.poll());
             }
             from = to;
         }
         over
     }
 
-    /// What detects the sounds.
+    /// The detector of the stream.
     pub const fn detector(&self) -> &Detector {
         &self.detector
     }
 
-    /// Whether a drop was told of.
-    pub fn was_told(&self, train: &Train) -> bool {
-        self.told.iter().any(|told| told.is_same_drop(train))
+    /// Whether a drop was reported.
+    pub fn was_reported(&self, train: &Train) -> bool {
+        self.reported.iter().any(|it| it.is_same_drop(train))
     }
 
-    /// Looks are at fixed times, so that the same sound gives the same answers whatever the
+    /// Polls are at fixed times of the sound, so that the reports do not depend on the
     /// blocks in which it comes.
-    fn set_next_look(&mut self) {
-        let looks = (self.now_s() / LOOK_S + 0.5).floor() + 1.0;
-        let frame = (looks * LOOK_S * self.sample_rate_hz).round() as u64;
-        self.next_look = frame.max(self.frames + 1);
+    fn set_next_poll(&mut self) {
+        let polls = (self.now_s() / POLL_S + 0.5).floor() + 1.0;
+        let frame = (polls * POLL_S * self.sample_rate_hz).round() as u64;
+        self.next_poll = frame.max(self.frames + 1);
     }
 
-    fn look(&mut self) -> Vec<Detection> {
+    fn poll(&mut self) -> Vec<Detection> {
         let now_s = self.now_s();
         let onsets = self.detector.onsets();
-        let is_new = onsets != self.judged_onsets && now_s >= self.next_judge_s;
+        let is_new = onsets != self.evaluated_onsets && now_s >= self.next_evaluation_s;
         let is_over = self
-            .untold(self.trains())
+            .unreported(self.trains())
             .any(|train| self.is_settled(train));
         if !is_new && !is_over {
             return Vec::new();
         }
-        self.heard = Some(self.detector.so_far());
-        self.judged_onsets = onsets;
-        self.next_judge_s = now_s + (self.detector.work() as f64 / WORK_PER_S).max(JUDGE_S);
-        self.tell()
+        self.detection = Some(self.detector.so_far());
+        self.evaluated_onsets = onsets;
+        let work_s = self.detector.work() as f64 / MAX_WORK_PER_S;
+        self.next_evaluation_s = now_s + work_s.max(MIN_EVALUATION_S);
+        self.report()
     }
 
-    /// The drops that are over and were not told of, each as a recording of its own.
-    fn tell(&mut self) -> Vec<Detection> {
+    /// The drops that are over and were not reported, each as a recording of its own.
+    fn report(&mut self) -> Vec<Detection> {
         let over: Vec<Train> = self
-            .untold(self.trains())
+            .unreported(self.trains())
             .filter(|train| self.is_settled(train))
             .cloned()
             .collect();
-        let Some(heard) = &self.heard else {
+        let Some(detection) = &self.detection else {
             return Vec::new();
         };
         let (before, now_s) = (self.last, self.now_s());
         let as_recording = |train: &Train| Detection {
             found: TrainSearch {
                 trains: vec![train.clone()],
-                distant: heard
+                distant: detection
                     .found
                     .distant
                     .iter()
@@ -171,27 +161,30 @@ impl DropWatch {
                 periodic: Vec::new(),
             },
             duration_s: now_s,
-            clipped_samples: heard.clipped_samples.saturating_sub(before.clipped_samples),
-            ..heard.clone()
+            clipped_samples: detection
+                .clipped_samples
+                .saturating_sub(before.clipped_samples),
+            ..detection.clone()
         };
         let recordings: Vec<Detection> = over.iter().map(as_recording).collect();
         if !over.is_empty() {
-            self.last = Reported {
+            self.last = LastReport {
                 time_s: now_s,
-                clipped_samples: heard.clipped_samples,
+                clipped_samples: detection.clipped_samples,
             };
-            self.told.extend(over);
+            self.reported.extend(over);
         }
         recordings
     }
 
     fn trains(&self) -> &[Train] {
-        self.heard.as_ref().map_or(&[], |heard| &heard.found.trains)
+        let detection = self.detection.as_ref();
+        detection.map_or(&[], |detection| &detection.found.trains)
     }
 
-    /// Those of these drops that were not told of yet.
-    fn untold<'a>(&'a self, trains: &'a [Train]) -> impl Iterator<Item = &'a Train> {
-        trains.iter().filter(|train| !self.was_told(train))
+    /// Those of these drops that were not reported yet.
+    fn unreported<'a>(&'a self, trains: &'a [Train]) -> impl Iterator<Item = &'a Train> {
+        trains.iter().filter(|train| !self.was_reported(train))
     }
 
     fn is_settled(&self, train: &Train) -> bool {
@@ -223,43 +216,43 @@ mod tests {
         synth::render(&strikes, &scene, 2).unwrap().samples
     }
 
-    /// What is told of, and after how many seconds, if the sound comes in blocks of this size.
-    fn told(samples: &[f32], block: usize) -> Vec<(Train, f64)> {
+    /// The reported drops, and the time of each report in seconds, if the sound comes in blocks of this size.
+    fn reports(samples: &[f32], block: usize) -> Vec<(Train, f64)> {
         let mut watch = DropWatch::new(44_100, 1, &DetectionOptions::default()).unwrap();
-        let mut told = Vec::new();
+        let mut reports = Vec::new();
         for block in samples.chunks(block) {
-            for heard in watch.push(&[block]) {
-                told.push((heard.found.trains[0].clone(), heard.duration_s));
+            for detection in watch.push(&[block]) {
+                reports.push((detection.found.trains[0].clone(), detection.duration_s));
             }
         }
-        told
+        reports
     }
 
     #[test]
-    fn each_drop_is_told_of_once_and_as_the_whole_recording_has_it() {
+    fn each_drop_is_reported_once_and_as_the_whole_recording_has_it() {
         let samples = two_drops();
-        let told = told(&samples, 1024);
+        let reports = reports(&samples, 1024);
         let mut detector = Detector::new(44_100, 1);
         detector.push(&[&samples]);
         let whole = detector.finish().found.trains;
         assert_eq!(whole.len(), 2);
-        assert_eq!(told.len(), 2);
-        for ((train, time_s), whole) in told.iter().zip(&whole) {
+        assert_eq!(reports.len(), 2);
+        for ((train, time_s), whole) in reports.iter().zip(&whole) {
             assert_eq!(train.impacts(), whole.impacts());
-            assert!(*time_s > train.end_s() && *time_s < train.end_s() + SETTLED_S + 2.0 * LOOK_S);
+            assert!(*time_s > train.end_s() && *time_s < train.end_s() + SETTLED_S + 2.0 * POLL_S);
         }
     }
 
     #[test]
     fn the_blocks_in_which_sound_comes_make_no_difference() {
         let samples = two_drops();
-        let expected = told(&samples, 4096);
+        let expected = reports(&samples, 4096);
         for block in [1, 777, 1_000_000] {
-            assert_eq!(told(&samples, block), expected, "blocks of {block}");
+            assert_eq!(reports(&samples, block), expected, "blocks of {block}");
         }
     }
 
-    /// So many clicks of 1.5 ms a second in faint noise, for so many seconds.
+    /// Clicks of 1.5 ms at this rate per second in faint noise, for this number of seconds.
     fn clicks(per_s: usize, seconds: usize) -> Vec<f32> {
         let mut state = 1_u32;
         let mut samples: Vec<f32> = (0..seconds * 44_100)
@@ -286,25 +279,25 @@ mod tests {
             let samples = clicks(per_s, 30);
             let mut watch = DropWatch::new(44_100, 1, &DetectionOptions::default()).unwrap();
             let mut busy_until_s: f64 = 0.0;
-            let mut judged = 0;
+            let mut evaluations = 0;
             for block in samples.chunks(1024) {
-                let before_s = watch.next_judge_s;
+                let before_s = watch.next_evaluation_s;
                 assert_eq!(
                     watch.push(&[block]).len(),
                     0,
                     "{per_s}: {} s",
                     watch.now_s()
                 );
-                if watch.next_judge_s > before_s {
-                    let work_s = watch.detector.work() as f64 / WORK_PER_S;
+                if watch.next_evaluation_s > before_s {
+                    let work_s = watch.detector.work() as f64 / MAX_WORK_PER_S;
                     busy_until_s = busy_until_s.max(watch.now_s()) + work_s;
-                    judged += 1;
+                    evaluations += 1;
                 }
                 let behind_s = busy_until_s - watch.now_s();
                 assert!(behind_s < RING_S, "{per_s}: {behind_s} s behind");
             }
             assert_eq!(watch.frames, samples.len() as u64);
-            assert!(judged > 0 || watch.detector.onsets() == 0, "{per_s}");
+            assert!(evaluations > 0 || watch.detector.onsets() == 0, "{per_s}");
         }
     }
 }
