@@ -5,9 +5,9 @@ use std::f64::consts::{LOG2_E, SQRT_2};
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-/// Does this work, compiled for the registers that this processor has: eight numbers at a time where
-/// every x86-64 processor has four. What the work calls takes part only if it is inlined, and so must
-/// the closure itself be: `dispatch(#[inline(always)] || ...)`.
+/// Runs `work` compiled for the registers of this processor: 256 bits with AVX2 where every x86-64 processor has 128.
+/// Only code that is inlined into `work` is compiled so, and the closure itself must be inlined too:
+/// `dispatch(#[inline(always)] || ...)`.
 ///
 /// The operations and their order stay the same, and so does the result, to the last bit.
 #[cfg(target_arch = "x86_64")]
@@ -16,15 +16,14 @@ pub(crate) fn dispatch<R>(work: impl FnOnce() -> R) -> R {
     pulp::Arch::new().dispatch(work)
 }
 
-/// Does this work: the registers are as wide as the compiler knows.
+/// Runs `work`: the compiler knows the width of the registers.
 #[cfg(not(target_arch = "x86_64"))]
 #[inline]
 pub(crate) fn dispatch<R>(work: impl FnOnce() -> R) -> R {
     work()
 }
 
-/// The sum of the products of numbers at the same places, so many side by side; what the longer slice has more is
-/// left out.
+/// The sum of the products of numbers at equal indices, with `LANES` partial sums; the longer slice is truncated.
 #[inline(always)]
 pub(crate) fn sum_of_products<const LANES: usize, T>(a: &[T], b: &[T]) -> T
 where
@@ -45,11 +44,11 @@ where
     sum
 }
 
-/// Adds to each sum the samples from its place on, each times its weight, one after the other. There are as many
-/// samples as sums and weights, less one.
+/// Adds to each sum the samples from its index on, each times its weight, in this order. The number of
+/// samples is that of sums and weights together, less one.
 #[cfg_attr(not(target_family = "wasm"), inline(always))]
 pub(crate) fn add_weighted(sums: &mut [f32], samples: &[f32], weights: &[f32]) {
-    // So many sums stay in registers; in a browser see below.
+    // 64 sums stay in registers while the weights pass. For the browser see `LANES`.
     let mut done = 0;
     if cfg!(not(target_family = "wasm")) {
         done += add_weighted_blocks::<64>(sums, samples, weights);
@@ -58,7 +57,7 @@ pub(crate) fn add_weighted(sums: &mut [f32], samples: &[f32], weights: &[f32]) {
     add_weighted_blocks::<1>(&mut sums[done..], &samples[done..], weights);
 }
 
-/// The same, so many sums at a time; how many were done.
+/// The same for `SUMS` sums at a time; returns the number of sums done.
 #[inline(always)]
 fn add_weighted_blocks<const SUMS: usize>(
     sums: &mut [f32],
@@ -68,8 +67,8 @@ fn add_weighted_blocks<const SUMS: usize>(
     let (blocks, _) = sums.as_chunks_mut::<SUMS>();
     for (number, block) in blocks.iter_mut().enumerate() {
         let mut lanes = *block;
-        let places = samples[number * SUMS..].windows(SUMS);
-        for (weight, samples) in weights.iter().zip(places) {
+        let windows = samples[number * SUMS..].windows(SUMS);
+        for (weight, samples) in weights.iter().zip(windows) {
             for (lane, sample) in lanes.iter_mut().zip(samples) {
                 *lane += weight * sample;
             }
@@ -79,23 +78,24 @@ fn add_weighted_blocks<const SUMS: usize>(
     blocks.len() * SUMS
 }
 
-/// So many problems are worked on side by side where each step of one waits for the step before. In a browser, where
-/// there are no wide registers, one: eight would make the page a twentieth larger.
+/// Number of problems that are computed side by side where each step of one waits for the step before. In a browser, which
+/// has no wide registers, one: eight would make the page larger by a twentieth.
 pub(crate) const LANES: usize = if cfg!(target_family = "wasm") { 1 } else { 8 };
 
-/// As many numbers as there are lanes, each of a problem of its own, worked on side by side. Inside
-/// [`dispatch`] an operation on all of them is a few instructions.
+/// One number for each of `L` problems that are computed side by side. Inside
+/// [`dispatch`] an operation on all of them is a few instructions. `wide` has such types too, of the width that is known
+/// when the program is compiled (docs/decisions/009).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Lanes<const L: usize>(pub(crate) [f64; L]);
 
 impl<const L: usize> Lanes<L> {
-    /// The same in every lane.
+    /// The same number in every lane.
     #[inline(always)]
     pub(crate) const fn all(value: f64) -> Self {
         Self([value; L])
     }
 
-    /// What a function of the number of the lane says.
+    /// The values of a function of the index of the lane.
     #[inline(always)]
     pub(crate) fn of(value: impl FnMut(usize) -> f64) -> Self {
         Self(array::from_fn(value))
@@ -129,32 +129,31 @@ impl<const L: usize> Lanes<L> {
     }
 
     #[inline(always)]
-    pub(crate) fn min(self, greatest: f64) -> Self {
-        self.map(|x| if x < greatest { x } else { greatest })
+    pub(crate) fn min(self, max: f64) -> Self {
+        self.map(|x| if x < max { x } else { max })
     }
 
     #[inline(always)]
-    pub(crate) fn max(self, least: f64) -> Self {
-        self.map(|x| if x > least { x } else { least })
+    pub(crate) fn max(self, min: f64) -> Self {
+        self.map(|x| if x > min { x } else { min })
     }
 
-    /// The natural logarithm, as [`f64::ln`] but for the last bits and for subnormal numbers, which
-    /// count as zero: that function works on one number at a time.
+    /// The natural logarithm: [`f64::ln`], which takes one number at a time, except for the last bits and for subnormal
+    /// numbers, which count as zero.
     #[inline(always)]
     pub(crate) fn ln(self) -> Self {
         self.map(ln)
     }
 
-    /// The exponential function, as [`f64::exp`] but for the last bits, and with infinity from exp 709 and
-    /// zero from exp -708 on.
+    /// The exponential function: [`f64::exp`] except for the last bits, and with infinity above 709 and
+    /// zero below -708.
     #[inline(always)]
     pub(crate) fn exp(self) -> Self {
         self.map(exp)
     }
 }
 
-/// One for each lane, of at least one and at most as many as there are lanes: the lanes that are left over do the work of the
-/// last one again.
+/// One item for each lane, of at least one and at most `L` items: the remaining lanes repeat the last one.
 pub(crate) fn one_for_each_lane<T: Copy, const L: usize>(items: &[T]) -> [T; L] {
     array::from_fn(|lane| items[lane.min(items.len() - 1)])
 }
@@ -164,11 +163,11 @@ pub(crate) fn sum_of_exp(numbers: &[f64]) -> f64 {
     dispatch(
         #[inline(always)]
         || {
-            let (lanes, rest) = numbers.as_chunks::<LANES>();
-            let lanes = lanes.iter().map(|&numbers| Lanes(numbers).exp());
-            let sum = lanes.fold(Lanes::<LANES>::all(0.0), Add::add);
-            let rest = rest.iter().map(|&number| exp(number));
-            sum.0.into_iter().chain(rest).sum()
+            let (chunks, rest) = numbers.as_chunks::<LANES>();
+            let exponentials = chunks.iter().map(|&numbers| Lanes(numbers).exp());
+            let sums = exponentials.fold(Lanes::<LANES>::all(0.0), Add::add);
+            let of_rest = rest.iter().map(|&number| exp(number));
+            sums.0.into_iter().chain(of_rest).sum()
         },
     )
 }
@@ -206,21 +205,21 @@ impl<const L: usize> Neg for Lanes<L> {
     }
 }
 
-/// ln 2 in two parts, of which the first times a whole number of a thousand is exact.
+/// ln 2 as a sum of two numbers; the product of the first with a whole number up to a thousand is exact.
 const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 
-/// Added to a number below it, the last bits of the sum are the bits of the nearest whole number.
+/// 1.5 2^52. The last bits of its sum with a number are the bits of the nearest whole number.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 
-/// Without a branch or a table, so that the compiler can do several at once: x = m 2^k with m around one, and
-/// ln m = 2 artanh s with s = (m - 1)/(m + 1), by its series.
+/// Without a branch or a table, so that the compiler can compute several at once: x = m 2^k with m between the square roots
+/// of 1/2 and 2, and ln m = 2 artanh s with s = (m - 1)/(m + 1), by its series.
 #[cfg_attr(not(target_family = "wasm"), inline(always))]
 fn ln(x: f64) -> f64 {
     const HALF_ROOT: u64 = (0.5 * SQRT_2).to_bits();
     const ONE: u64 = 1.0_f64.to_bits();
     const MANTISSA: u64 = (1 << 52) - 1;
-    // 2^52, whose last bits count from zero.
+    // The bits of 2^52: a whole number in its last bits is added to it.
     const COUNT: u64 = 0x4330_0000_0000_0000;
     let shifted = x.to_bits().wrapping_add(ONE - HALF_ROOT);
     let k = f64::from_bits((shifted >> 52) | COUNT) - (f64::from_bits(COUNT) + 1023.0);
@@ -243,13 +242,13 @@ fn ln(x: f64) -> f64 {
     }
 }
 
-/// Without a branch or a table: exp x = 2^n exp r with n whole and r around zero, by its series.
+/// Without a branch or a table: exp x = 2^n exp r with n whole and |r| at most ln 2 / 2, by its series.
 #[cfg_attr(not(target_family = "wasm"), inline(always))]
 fn exp(x: f64) -> f64 {
-    const LEAST: f64 = -708.0;
-    const GREATEST: f64 = 709.0;
-    let bounded = if x > GREATEST { GREATEST } else { x };
-    let bounded = if bounded < LEAST { LEAST } else { bounded };
+    const MIN: f64 = -708.0;
+    const MAX: f64 = 709.0;
+    let below_max = if x > MAX { MAX } else { x };
+    let bounded = if below_max < MIN { MIN } else { below_max };
     let whole = bounded * LOG2_E + WHOLE;
     let n = whole - WHOLE;
     let r = (bounded - n * LN_2_HIGH) - n * LN_2_LOW;
@@ -262,37 +261,37 @@ fn exp(x: f64) -> f64 {
     let series = 1.0 + (r + r2 * (a + r4 * (b + r4 * c)));
     let power = f64::from_bits(whole.to_bits().wrapping_add(1023) << 52);
     let exp = series * power;
-    let not_huge = if x > GREATEST { f64::INFINITY } else { exp };
-    if x < LEAST { 0.0 } else { not_huge }
+    let upper = if x > MAX { f64::INFINITY } else { exp };
+    if x < MIN { 0.0 } else { upper }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Against the functions of the platform, from the smallest normal numbers to the greatest.
+    /// Against the functions of the platform, from the smallest normal numbers to the largest.
     #[test]
     fn logarithms_and_powers_are_those_of_one_number() {
         let mut x = f64::MIN_POSITIVE;
         while x < f64::MAX / 1.7 {
-            let (found, expected) = (ln(x), x.ln());
+            let (own, expected) = (ln(x), x.ln());
             assert!(
-                (found - expected).abs() <= 3e-16 * expected.abs(),
-                "ln {x}: {found} {expected}"
+                (own - expected).abs() <= 3e-16 * expected.abs(),
+                "ln {x}: {own} {expected}"
             );
             x *= 1.618;
         }
         for step in -7000..=7080 {
             let x = 0.1 * f64::from(step) + 0.01;
-            let (found, expected) = (exp(x), x.exp());
+            let (own, expected) = (exp(x), x.exp());
             assert!(
-                (found / expected - 1.0).abs() < 1e-15,
-                "exp {x}: {found} {expected}"
+                (own / expected - 1.0).abs() < 1e-15,
+                "exp {x}: {own} {expected}"
             );
         }
     }
 
-    /// The terms are added in their order, however many sums are worked on at a time.
+    /// The terms are added in their order, however many sums are computed at a time.
     #[test]
     fn weighted_sums_are_those_of_one_after_the_other() {
         let wave = |n: usize| (0.37 * n as f32).sin();
@@ -308,11 +307,11 @@ mod tests {
             let samples: Vec<f32> = (0..count + terms - 1).map(wave).collect();
             let weights: Vec<f32> = (0..terms).map(|term| wave(term * term + 1)).collect();
             let mut sums: Vec<f32> = (0..count).map(|sum| 0.1 * sum as f32).collect();
-            let expected = sums.iter().enumerate().map(|(place, sum)| {
-                let terms = weights.iter().zip(&samples[place..]);
+            let one_by_one = sums.iter().enumerate().map(|(index, sum)| {
+                let terms = weights.iter().zip(&samples[index..]);
                 terms.fold(*sum, |sum, (weight, sample)| sum + weight * sample)
             });
-            let expected: Vec<f32> = expected.collect();
+            let expected: Vec<f32> = one_by_one.collect();
             add_weighted(&mut sums, &samples, &weights);
             assert_eq!(sums, expected, "{count} sums of {terms} terms");
         }
@@ -336,7 +335,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_stays_none() {
+    fn infinities_and_nan_are_those_of_the_functions() {
         let lanes = Lanes([0.0, -1.0, f64::NAN, f64::INFINITY]).ln().0;
         assert!(lanes[0] == f64::NEG_INFINITY && lanes[3] == f64::INFINITY);
         assert!(lanes[1].is_nan() && lanes[2].is_nan());
