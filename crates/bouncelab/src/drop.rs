@@ -21,7 +21,7 @@ use crate::flight::{Fall, Flight, FlightModel, State};
 use crate::impact::ImpactEvent;
 use crate::restitution::Contact;
 
-/// A history is given up after this many bounces: it would be of no use to anyone.
+/// Maximum number of bounces of a history.
 pub const MAX_BOUNCES: usize = 100_000;
 
 /// How a drop begins, at time zero.
@@ -82,8 +82,8 @@ impl Stop {
         }
     }
 
-    /// As asked: where the ball rises no higher than this (m), after so many bounces, or whichever comes
-    /// first; where nobody asks, when it rises no higher than a millimetre.
+    /// By the given limits: when the ball rises no higher than this (m), after this number of bounces, or whichever comes
+    /// first; without either, when it rises no higher than a millimetre.
     ///
     /// ```
     /// use bouncelab::drop::Stop;
@@ -118,7 +118,7 @@ impl Stop {
     }
 }
 
-/// The way to the first impact.
+/// The motion to the first impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum InitialFall {
     /// A fall from rest.
@@ -186,8 +186,8 @@ pub struct History {
 /// Simulates a drop.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for a start or stop that makes no sense, [`Error::ReynoldsTooHigh`] if the
-/// drag law does not know so fast a ball, [`Error::EndlessDrop`] if the drop is not over after
+/// [`Error::OutOfRange`] for a start or stop outside its range, [`Error::ReynoldsTooHigh`] if the
+/// ball exceeds the range of the drag law, [`Error::EndlessDrop`] if the drop is not over after
 /// [`MAX_BOUNCES`].
 ///
 /// ```
@@ -268,7 +268,7 @@ fn kinetic_j_kg(speed_m_s: f64) -> f64 {
 }
 
 impl History {
-    /// The way to the first impact.
+    /// The motion to the first impact.
     pub fn opening(&self) -> InitialFall {
         self.opening
     }
@@ -390,10 +390,10 @@ impl History {
         if time_s >= self.landing.time_s {
             return AT_REST;
         }
-        let begun = self
+        let started = self
             .bounces
             .partition_point(|bounce| bounce.time_s <= time_s);
-        let Some(bounce) = begun.checked_sub(1).map(|last| &self.bounces[last]) else {
+        let Some(bounce) = started.checked_sub(1).map(|last| &self.bounces[last]) else {
             return match &self.opening {
                 InitialFall::Fall(fall) => self.model.fall_state(fall, time_s),
                 InitialFall::Flight(flight) => self.model.state(flight, time_s),
@@ -424,7 +424,7 @@ pub fn total_time_s(restitution: f64, drop_height_m: f64, gravity_m_s2: f64) -> 
     Ok((1.0 + restitution) / (1.0 - restitution) * fall_time_s)
 }
 
-/// Total length of the way from release to rest without drag, m (paper Eq. 8).
+/// Total length of the path from release to rest without drag, m (paper Eq. 8).
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 <= e < 1 and the height is not negative.

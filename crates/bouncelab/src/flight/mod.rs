@@ -60,7 +60,7 @@ pub struct Environment {
     pub drag: DragLaw,
     /// Whether the air carries its share of the weight (off in the paper).
     pub buoyancy: bool,
-    /// Whether the ball must push along half its volume of air whenever it speeds up or slows down
+    /// Whether the ball accelerates half its volume of air along with it
     /// (off in the paper). The flow of a bouncing ball is not the potential flow of the textbook, so
     /// one half is an estimate.
     pub added_mass: bool,
@@ -73,7 +73,7 @@ pub struct Flight {
     pub launch_speed_m_s: f64,
     /// Speed just before the impact that ends it, m/s.
     pub impact_speed_m_s: f64,
-    /// Greatest height above the surface, m.
+    /// Maximum height above the surface, m.
     pub apex_m: f64,
     /// Time from the launch to the apex, s.
     pub rise_time_s: f64,
@@ -107,7 +107,7 @@ pub struct Fall {
     pub impact_speed_m_s: f64,
 }
 
-/// Where a ball is and how fast.
+/// Height and velocity of a ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
     /// Height of its lowest point above the surface, m.
@@ -160,7 +160,7 @@ pub struct FlightModel {
     moving_mass_kg: Option<f64>,
 }
 
-/// The two ways to solve a flight.
+/// The two methods of solving a flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Resistance {
     Quadratic(QuadraticDrag),
@@ -171,7 +171,7 @@ impl FlightModel {
     /// A ball in an environment.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a gravity or a constant drag coefficient that makes no sense,
+    /// [`Error::OutOfRange`] for a gravity or a constant drag coefficient outside its range,
     /// [`Error::Floats`] if buoyancy is on and the ball is lighter than air.
     ///
     /// ```
@@ -284,7 +284,7 @@ impl FlightModel {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless the speed is finite and not below zero,
-    /// [`Error::ReynoldsTooHigh`] if the drag law does not know so high a speed.
+    /// [`Error::ReynoldsTooHigh`] if the speed is above the range of the drag law.
     ///
     /// ```
     /// use bouncelab::flight::FlightModel;
@@ -310,8 +310,8 @@ impl FlightModel {
     /// The flight that lasts a given time: the inverse of [`FlightModel::launch`], to 1e-12.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless the time is finite and not below zero, or if drag makes so long
-    /// a flight impossible; [`Error::ReynoldsTooHigh`] as for a launch.
+    /// [`Error::OutOfRange`] unless the time is finite and not below zero, or if drag makes a flight of this duration
+    /// impossible; [`Error::ReynoldsTooHigh`] as for a launch.
     ///
     /// ```
     /// use bouncelab::flight::FlightModel;
@@ -327,7 +327,7 @@ impl FlightModel {
             Resistance::Quadratic(drag) => {
                 let speed_m_s = drag.launch_speed_of_time(time_s);
                 let flight = speed_m_s.is_finite().then(|| self.launch(speed_m_s));
-                // No launch speed leads to so long a flight with this drag.
+                // With this drag no launch speed gives such a long flight.
                 flight.ok_or_else(|| Error::out_of_range(Quantity::FlightTime, time_s, ..time_s))?
             }
             Resistance::Reynolds(drag) => drag.launch_lasting(time_s),
@@ -352,7 +352,7 @@ impl FlightModel {
             Resistance::Quadratic(drag) => {
                 let speed_m_s = drag.launch_speed_of_apex(apex_m);
                 let flight = speed_m_s.is_finite().then(|| self.launch(speed_m_s));
-                // No launch speed leads so high with this drag.
+                // With this drag no launch speed gives such a high flight.
                 flight.ok_or_else(|| Error::out_of_range(Quantity::Apex, apex_m, ..apex_m))?
             }
             Resistance::Reynolds(drag) => drag.launch_rising_to(apex_m),
@@ -363,7 +363,7 @@ impl FlightModel {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless the height is finite and not below zero,
-    /// [`Error::ReynoldsTooHigh`] if the ball gets faster than the drag law knows.
+    /// [`Error::ReynoldsTooHigh`] if the ball exceeds the range of the drag law.
     ///
     /// ```
     /// use bouncelab::flight::FlightModel;

@@ -49,7 +49,7 @@ impl QuadraticDrag {
     /// The left side is concave and the start is below the root, so the steps rise to it without
     /// ever passing it.
     pub(super) fn launch_speed_of_time(&self, time: f64) -> f64 {
-        /// Steps square the relative error, so after one this small nothing is left to gain.
+        /// Newton's steps square the relative error, so the one after a step this small would be rounding.
         const SMALL_STEP: f64 = 1e-8;
         const MAX_STEPS: usize = 50;
         let drag_free = 0.5 * self.gravity * time;

@@ -22,11 +22,11 @@ const TOLERANCE: f64 = 1e-12;
 /// Newton stops after a relative step this small: the next would be lost in rounding.
 const SMALL_STEP: f64 = 1e-8;
 
-/// Newton with brackets needs less than ten steps; the rest is for halving in a drag crisis.
+/// Newton's method with brackets needs less than ten steps; the others are for bisection in a drag crisis.
 const MAX_STEPS: usize = 200;
 
 /// Launches above this many terminal speeds are refused: tan p has no digits left there.
-const FASTEST_LAUNCH: f64 = 1e4;
+const MAX_LAUNCH: f64 = 1e4;
 
 /// The two halves of a flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,7 +79,7 @@ pub(super) struct ReynoldsDrag {
     /// The speed vₛ by which speeds are measured: the terminal speed, or if the law ends before
     /// it, the terminal speed of the coefficient at that end.
     scale: f64,
-    /// What the law does there; `None` if it ends before the terminal speed.
+    /// The law near the terminal speed; `None` if it ends before.
     near_terminal: Option<NearTerminal>,
 }
 
@@ -246,7 +246,7 @@ impl ReynoldsDrag {
 
     /// The arc from rest on which the given integral has a value, by Newton on the parameter.
     ///
-    /// Each step adds the integral over the step to what is known, so that the whole is integrated
+    /// Each step adds the integral over the step to that before, so that the whole is integrated
     /// once.
     fn solve(&self, leg: Leg, known: Known, value: f64, guess: f64) -> Arc {
         let limit = self.parameter_limit(leg);
@@ -267,12 +267,12 @@ impl ReynoldsDrag {
                 height: arc.height + height,
             };
             let rates = self.rates(leg, arc.parameter);
-            let found = if known == Known::Time {
+            let reached = if known == Known::Time {
                 arc.time
             } else {
                 arc.height
             };
-            let step = (value - found) / rates[known as usize];
+            let step = (value - reached) / rates[known as usize];
             if step.abs() <= SMALL_STEP * arc.parameter {
                 arc.parameter += step;
                 arc.time += rates[0] * step;
@@ -284,8 +284,8 @@ impl ReynoldsDrag {
         arc
     }
 
-    /// The parameter that no solution exceeds: a right angle in the rise, in the fall the end of a
-    /// law that knows no terminal speed.
+    /// The maximum parameter of a solution: a right angle in the rise, in the fall the end of a
+    /// law that ends before the terminal speed.
     fn parameter_limit(&self, leg: Leg) -> f64 {
         match leg {
             Leg::Rise => std::f64::consts::FRAC_PI_2,
@@ -305,7 +305,7 @@ impl ReynoldsDrag {
     pub(super) fn launch(&self, speed: f64) -> Result<Flight> {
         self.check_speed(speed)?;
         let u = speed / self.scale;
-        within(Quantity::SpeedRatio, u, ..=FASTEST_LAUNCH)?;
+        within(Quantity::SpeedRatio, u, ..=MAX_LAUNCH)?;
         let [rise_time, apex] = self.integrate(Leg::Rise, 0.0, u.atan());
         let fall = self.solve(Leg::Fall, Known::Height, apex, u.asinh());
         Ok(Flight {
@@ -344,12 +344,12 @@ impl ReynoldsDrag {
         let mut speed = guess.min(fastest);
         for _ in 0..MAX_STEPS {
             let flight = self.launch(speed)?;
-            let (found, slope) = measure(&flight, &self.launch_derivatives(&flight));
-            let next = speed + (value - found) / slope;
+            let (reached, slope) = measure(&flight, &self.launch_derivatives(&flight));
+            let next = speed + (value - reached) / slope;
             if (next - speed).abs() <= SMALL_STEP * speed {
                 return self.launch(next);
             }
-            if found < value {
+            if reached < value {
                 below = speed;
             } else {
                 above = speed;
@@ -394,10 +394,10 @@ impl ReynoldsDrag {
         })
     }
 
-    /// The state at a time on the way up, by the way that is left to the apex.
+    /// The state at a time on the way up, by the arc from there to the apex.
     pub(super) fn rising(&self, flight: &Flight, time: f64) -> State {
-        let left = (flight.rise_time_s - time) / self.time_unit();
-        let arc = self.solve(Leg::Rise, Known::Time, left, left);
+        let remaining = (flight.rise_time_s - time) / self.time_unit();
+        let arc = self.solve(Leg::Rise, Known::Time, remaining, remaining);
         State {
             height_m: flight.apex_m - arc.height * self.height_unit(),
             velocity_m_s: self.scale * Leg::Rise.speed(arc.parameter),

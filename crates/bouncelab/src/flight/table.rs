@@ -1,17 +1,17 @@
 //! Many flights of one ball at once, for the inference.
 //!
-//! The inference asks for the same few flights under thousands of slightly different drags, and a
-//! quadrature for each would take seconds. Here all flights of a ball up to a greatest launch speed
-//! are solved by one march over the launch speed v. With η drag over weight and v' the impact
+//! The inference needs the same few flights under thousands of slightly different drags, and a
+//! quadrature for each would take seconds. Here all flights of a ball up to a maximum launch speed
+//! are solved by one integration over the launch speed v. With η drag over weight and v' the impact
 //! speed, energy gives
 //!
 //! dv'/dv = (v/v') (1 - η(v'))/(1 + η(v)),  d(gT)/dv = (1 + v/v')/(1 + η(v)),  d(gh)/dv = v/(1 + η(v)),
 //!
-//! which are smooth, have no end at the terminal speed and know no gravity. A second march, over gT,
-//! tells the flight that lasts a time. Both are made for a few strengths of drag, each when it is
-//! first asked for, and cubics go between: between the nodes of a march with the right slopes, between
-//! the strengths through four of them. They are good to 1e-8, and to 1e-6 where drag is as much as the
-//! weight, far below any noise; the tests hold them against [`FlightModel`](super::FlightModel).
+//! which are smooth, continue beyond the terminal speed and do not depend on gravity. A second integration, over gT,
+//! gives the flight of a given duration. Both are computed for a few strengths of drag, each when it is
+//! first needed, and interpolated by cubics: with the slopes between the nodes of an integration (a march), and through
+//! four nodes between the strengths. The error is 1e-8, and 1e-6 where drag is as large as the
+//! weight, far below any noise; the tests compare with [`FlightModel`](super::FlightModel).
 
 use std::array;
 use std::sync::OnceLock;
@@ -19,10 +19,10 @@ use std::sync::OnceLock;
 use super::FlightModel;
 use crate::error::Result;
 
-/// Nodes of the drag profile: it is read between the nodes of the march too.
+/// Nodes of the drag profile: it is evaluated between the nodes of the march too.
 const PROFILE: usize = 1024;
 
-/// Drag over weight of a ball, for speeds from zero to a greatest.
+/// Drag over weight of a ball, for speeds from zero to a maximum.
 #[derive(Debug, Clone)]
 pub(crate) struct DragProfile {
     /// Drag over weight over speed, s/m, at equal steps of speed: nearly straight for every law.
@@ -33,12 +33,12 @@ pub(crate) struct DragProfile {
 }
 
 impl DragProfile {
-    /// The drag of a model up to a speed, for tables of so many steps; beyond the range of its law drag
-    /// keeps the coefficient it has there.
-    pub(crate) fn new(model: &FlightModel, greatest_speed_m_s: f64, march: usize) -> Result<Self> {
-        let step = greatest_speed_m_s / PROFILE as f64;
+    /// The drag of a model up to a speed, for tables of `march` steps; beyond the range of its law the drag
+    /// coefficient is constant.
+    pub(crate) fn new(model: &FlightModel, max_speed_m_s: f64, march: usize) -> Result<Self> {
+        let step = max_speed_m_s / PROFILE as f64;
         let mut per_speed = Vec::with_capacity(PROFILE + 2);
-        // At rest the ratio is that of creeping flow, which the first speed of all comes close to.
+        // At rest the ratio is that of creeping flow, which is reached at a very low speed.
         per_speed.push(model.drag_over_weight(step * 1e-6)? / (step * 1e-6));
         for node in 1..PROFILE + 2 {
             let speed = step * node as f64;
@@ -56,7 +56,7 @@ impl DragProfile {
         })
     }
 
-    /// The fastest launch that a table over this profile knows, m/s.
+    /// The maximum launch speed of a table over this profile, m/s.
     fn fastest(&self) -> f64 {
         self.step * PROFILE as f64
     }
@@ -67,15 +67,15 @@ impl DragProfile {
 
     #[inline]
     fn over_weight(&self, speed: f64) -> f64 {
-        let place = (speed / self.step).clamp(0.0, PROFILE as f64);
-        let node = place as usize;
-        let share = place - node as f64;
+        let steps = (speed / self.step).clamp(0.0, PROFILE as f64);
+        let node = steps as usize;
+        let share = steps - node as f64;
         let (low, high) = (self.per_speed[node], self.per_speed[node + 1]);
         speed * (low + share * (high - low))
     }
 }
 
-/// What there is at a launch speed, with gravity taken out: multiply or divide by it.
+/// The flight of a launch speed, independent of gravity: multiply or divide by it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Row {
     /// Launch speed, m/s.
@@ -111,10 +111,10 @@ pub(crate) struct FlightTables {
     marches: Vec<OnceLock<March>>,
 }
 
-/// Strengths s lie at equal steps of s/(1 + s), so that weak drag and strong are told equally well.
+/// Strengths s lie at equal steps of s/(1 + s), so that weak and strong drag are resolved equally well.
 pub(crate) const STRENGTHS: usize = 64;
 
-/// A strength of drag among the nodes: four of them, and how much of each.
+/// A strength of drag among the nodes: four of them, and their weights.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Blend {
     /// The first of the four nodes.
@@ -125,12 +125,12 @@ pub(crate) struct Blend {
 impl Blend {
     /// `None` for a strength below zero, and beyond the nodes.
     pub(crate) fn of(strength: f64) -> Option<Self> {
-        let place = STRENGTHS as f64 * strength / (1.0 + strength);
-        if !(strength >= 0.0 && place + 2.0 < STRENGTHS as f64) {
+        let steps = STRENGTHS as f64 * strength / (1.0 + strength);
+        if !(strength >= 0.0 && steps + 2.0 < STRENGTHS as f64) {
             return None;
         }
-        let first = (place as usize).saturating_sub(1);
-        let t = place - first as f64;
+        let first = (steps as usize).saturating_sub(1);
+        let t = steps - first as f64;
         Some(Self {
             first,
             // Lagrange, through the nodes 0, 1, 2 and 3.
@@ -144,14 +144,14 @@ impl Blend {
     }
 }
 
-/// Every flight of a ball under one drag: a look at the tables.
+/// Every flight of a ball under one drag: a view of the tables.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FlightTable<'a> {
     marches: [&'a March; 4],
     pub(crate) blend: Blend,
     step: f64,
-    /// How many nodes of time all marches have. The longest flight is the shorter the stronger the
-    /// drag is, and where a march breaks down the shorter again.
+    /// Number of nodes of time that all marches have. The stronger the drag, the shorter the longest flight; a march may
+    /// end earlier where it breaks down.
     times: usize,
 }
 
@@ -189,7 +189,7 @@ const FALL: usize = 3;
 /// The same between the strengths of four marches, one after the other.
 type BlendedNode = [f64; 8];
 
-/// Every flight of a ball under one drag, for those who ask for many flights near each other: each node is blended once.
+/// Every flight of a ball under one drag, for many flights near each other: each node is blended once.
 #[derive(Debug)]
 pub(crate) struct BlendedTable<'a> {
     table: FlightTable<'a>,
@@ -244,13 +244,13 @@ impl FlightTables {
         }
     }
 
-    /// Forgets the flights; they are solved again when they are asked for.
+    /// Forgets the flights; they are solved again when they are needed.
     pub(crate) fn forget(&mut self) {
         self.marches = vec![OnceLock::new(); STRENGTHS];
     }
 
-    /// The flights with so many times the drag of the profile; `None` for a drag below zero, and for
-    /// one some thirty times too strong.
+    /// The flights with `strength` times the drag of the profile; `None` below zero, and above
+    /// thirty or so.
     pub(crate) fn at(&self, strength: f64) -> Option<FlightTable<'_>> {
         let blend = Blend::of(strength)?;
         let marches: [&March; 4] = array::from_fn(|node| self.march(blend.first + node));
@@ -287,7 +287,7 @@ impl FlightTables {
     }
 }
 
-/// Solves all flights with so many times the drag of a profile, at equal steps of the launch speed.
+/// Solves all flights with `strength` times the drag of a profile, at equal steps of the launch speed.
 fn march_by_speed(profile: &DragProfile, strength: f64) -> Vec<SpeedNode> {
     let step = profile.march_step();
     let over_weight = |speed: f64| strength * profile.over_weight(speed);
@@ -367,7 +367,7 @@ fn march_by_time(profile: &DragProfile, strength: f64) -> Vec<TimeNode> {
 const TIME_STEP: f64 = 2.0;
 
 impl<'a> FlightTable<'a> {
-    /// The same for those who ask for many flights near each other.
+    /// The same for many flights near each other.
     pub(crate) fn for_many(self) -> BlendedTable<'a> {
         BlendedTable {
             table: self,
@@ -383,7 +383,7 @@ impl<'a> FlightTable<'a> {
         Some(Row::of_launch(speed, values))
     }
 
-    /// The same flight with its apex: one look at the table for all of it.
+    /// The same flight with its apex, in one look-up.
     #[inline]
     pub(crate) fn rise_and_fall(&self, speed: f64) -> Option<RiseAndFall> {
         let (node, t) = self.around(speed)?;
@@ -405,12 +405,12 @@ impl<'a> FlightTable<'a> {
     #[inline]
     pub(crate) fn lasting(&self, gravity_time: f64) -> Option<Row> {
         let step = TIME_STEP * self.step;
-        let place = gravity_time / step;
-        if !(place > 0.0 && place + 1.0 < self.times as f64) {
+        let steps = gravity_time / step;
+        if !(steps > 0.0 && steps + 1.0 < self.times as f64) {
             return None;
         }
-        let node = place as usize;
-        let t = place - node as f64;
+        let node = steps as usize;
+        let t = steps - node as f64;
         let launch = |node: usize| self.blend(|march| march.by_time[node].launch);
         let impact = |node: usize| self.blend(|march| march.by_time[node].impact);
         let [launch, launch_slope] = hermite(launch(node), launch(node + 1), t, step);
@@ -454,7 +454,7 @@ impl<'a> FlightTable<'a> {
         let mut speed = impact;
         for _ in 0..MAX_STEPS {
             let row = self.launch(speed)?;
-            let step = (impact / row.impact).ln() / row.impact_slope.max(LEAST_SLOPE);
+            let step = (impact / row.impact).ln() / row.impact_slope.max(MIN_SLOPE);
             speed *= step.exp();
             if step.abs() <= SMALL_STEP {
                 break;
@@ -466,10 +466,10 @@ impl<'a> FlightTable<'a> {
     /// The node below a launch speed, and the share of the step above it.
     #[inline]
     fn around(&self, speed: f64) -> Option<(usize, f64)> {
-        let place = speed / self.step;
+        let steps = speed / self.step;
         let last = self.marches[0].by_speed.len() - 1;
-        let node = place as usize;
-        (place > 0.0 && place < last as f64).then_some((node, place - node as f64))
+        let node = steps as usize;
+        (steps > 0.0 && steps < last as f64).then_some((node, steps - node as f64))
     }
 
     #[inline]
@@ -489,11 +489,12 @@ impl<'a> FlightTable<'a> {
     }
 }
 
-/// Steps square the relative error, so after one this small nothing is left to gain.
+/// Newton's steps square the relative error, so the one after a step this small would be rounding.
 const SMALL_STEP: f64 = 1e-4;
+/// Maximum number of Newton's steps.
 pub(crate) const MAX_STEPS: usize = 30;
-/// Near the terminal speed the impact speed hardly answers to the launch speed.
-pub(crate) const LEAST_SLOPE: f64 = 1e-3;
+/// Minimum slope of Newton's steps: near the terminal speed the impact speed hardly depends on the launch speed.
+pub(crate) const MIN_SLOPE: f64 = 1e-3;
 
 fn speed_node(impact: [f64; 2], [time, height, fall]: [f64; 3], rates: [f64; 3]) -> SpeedNode {
     let free_fall = (2.0 * height).sqrt();

@@ -7,7 +7,7 @@ use super::priors::Measured;
 use super::residual::InitialFall;
 use super::timed_flights::FlightsAtStrengths;
 use super::unknowns::{Height, Model, Point, Slot};
-use crate::flight::table::{FlightTable, LEAST_SLOPE, Row};
+use crate::flight::table::{FlightTable, MIN_SLOPE, Row};
 use crate::restitution::Restitutions;
 use crate::simd::{Lanes, dispatch};
 
@@ -140,7 +140,7 @@ impl<'a> Model<'a> {
             Lanes::of(|lane| rows[lane].as_ref().map_or(f64::NAN, number))
         };
         let off = ln_impact - of(|row| row.impact).ln();
-        ln_impact + off / of(|row| row.impact_slope).max(LEAST_SLOPE)
+        ln_impact + off / of(|row| row.impact_slope).max(MIN_SLOPE)
     }
 
     /// The drop height of a point, m.

@@ -27,7 +27,7 @@ pub(super) fn add_noise(
         filter.iter_mut().fold(white, |x, section| section.next(x))
     };
     if colour == Colour::Pink {
-        // Two periods of its lowest frequency: from here on the filter has forgotten its start.
+        // Two periods of its lowest frequency, after which the filter no longer depends on its start.
         let settle = 2.0 * sample_rate_hz / PINK_FROM_HZ;
         for _ in 0..settle as usize {
             draw();

@@ -1,13 +1,13 @@
 //! Synthesises the sound of a drop, with noise of known level.
 //!
 //! [`render`] turns a list of [`ImpactEvent`]s into a recording as a microphone would have made it,
-//! and keeps the truth beside it: when each impact began (to a small fraction of a sample), how
-//! far it stands above the noise, whether it was lost, and where the clicks are that are no
-//! impact. What listens to recordings is tested by undoing this.
+//! and returns the truth with it: when each impact began (to a small fraction of a sample), its
+//! level above the noise, whether it was left out, and the times of the clicks that are no
+//! impacts. The detection is tested by undoing this.
 //!
 //! Each impact is a handful of decaying sines ([`Voice`]) that start at its exact time and are
 //! evaluated at the sample times, so nothing is rounded to the sample grid. The [`Scene`] adds
-//! what stands between a drop and a file: clicks, reverberation, hum, noise, an offset,
+//! the effects between a drop and a file: clicks, reverberation, hum, noise, an offset,
 //! clipping and rounding, in this order. Everything random comes from one seed, each part from
 //! its own stream: adding hum leaves the noise as it was.
 //!
@@ -50,10 +50,10 @@ use burst::Burst;
 pub use scene::{BitDepth, Clicks, Colour, Hum, Lost, Noise, Reverb, Scene};
 pub use voice::{Mode, Voice};
 
-/// An hour at 48 kHz: more is surely a mistake, and would fill the memory.
+/// Maximum samples of a recording: an hour at 48 kHz. More is surely a mistake, and would fill the memory.
 const MAX_SAMPLES: f64 = 48_000.0 * 3600.0;
 
-/// An onset takes at least this many samples, as behind an anti-alias filter.
+/// Minimum samples of the rise of an onset: that of an anti-alias filter.
 const MIN_RISE_SAMPLES: f64 = 2.0;
 
 /// A recording and the truth about it.
@@ -63,7 +63,7 @@ pub struct Rendered {
     pub samples: Vec<f32>,
     /// Samples a second.
     pub sample_rate_hz: u32,
-    /// Every impact event in order, heard or not.
+    /// Every impact event in order, audible or not.
     pub impacts: Vec<SynthImpact>,
     /// Onsets of the sounds that are no impact, in seconds from the start of the recording.
     pub clicks_s: Vec<f64>,
@@ -184,7 +184,7 @@ enum Chance {
     Noise,
 }
 
-/// A scene made ready: the numbers every stage needs.
+/// A scene with the numbers that every stage needs.
 struct Studio<'a> {
     scene: &'a Scene,
     seed: u64,
@@ -287,7 +287,7 @@ impl<'a> Studio<'a> {
             .collect()
     }
 
-    /// The loudest impact that is heard, or what the voice would have made.
+    /// The loudest impact that is not lost, or if all are, the one that the voice would have made.
     fn reference(&self, sounds: &[Loudness], lost: &[bool]) -> Result<Loudness> {
         let loudest = std::iter::zip(sounds, lost)
             .filter(|&(_, &lost)| !lost)
@@ -299,7 +299,7 @@ impl<'a> Studio<'a> {
                 burst.strike(0.0, modes, 1.0, self.rise_s, self.sample_rate_hz);
                 Loudness::of(&burst)
             });
-        // Everything is scaled by this, so it must be well above the limits of the samples' type.
+        // All samples are divided by this, so it must be well above the smallest numbers of their type.
         within(Quantity::LoudestImpact, loudest.rms, 1e-9..)?;
         Ok(loudest)
     }

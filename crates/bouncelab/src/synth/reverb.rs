@@ -34,7 +34,7 @@ fn impulse_response(
     let mut tail: Vec<f64> = (0..length)
         .map(|n| rng.sample::<f64, _>(StandardNormal) * (decay * n as f64).exp())
         .collect();
-    // The direct sound has its sample to itself.
+    // The first sample is that of the direct sound.
     tail[0] = 0.0;
     let energy: f64 = tail.iter().map(|x| x * x).sum();
     let gain = (10_f64.powf(-reverb.direct_to_reverberant_db / 10.0) / energy).sqrt();
@@ -70,8 +70,8 @@ fn add_convolved(recording: &mut [f32], kernel: &[f32]) {
     }
 }
 
-/// A transform of at least this length. All have the base of which the spectrogram of the page is made too: code for
-/// other bases would only make the page larger.
+/// A transform of at least this length. It has the same base as that of the spectrogram of the page: code for
+/// other bases would make the page larger.
 fn transform(at_least: usize, direction: FftDirection) -> Radix4<f32> {
     const BASE: usize = 8;
     let steps = at_least
@@ -82,7 +82,7 @@ fn transform(at_least: usize, direction: FftDirection) -> Radix4<f32> {
     Radix4::new_with_base(steps, Arc::new(Butterfly8::new(direction)))
 }
 
-/// These samples, and silence after them.
+/// Fills `target` with these samples and zeros after them.
 fn fill(target: &mut [Complex<f32>], samples: &[f32]) {
     let silence = std::iter::repeat(&0.0);
     for (value, &sample) in target.iter_mut().zip(samples.iter().chain(silence)) {

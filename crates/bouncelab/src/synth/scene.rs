@@ -1,4 +1,4 @@
-//! Recording conditions: every setting of [`render`](super::render).
+//! Recording conditions: all settings of [`render`](super::render).
 
 use std::ops::Bound::Excluded;
 
@@ -10,7 +10,7 @@ use crate::error::{Quantity, positive_up_to, within};
 ///
 /// The default is a clean table-tennis drop at 44.1 kHz and 16 bit, with white noise 60 dB
 /// below the loudest impact. Levels in decibels are all relative to the loudest impact that is
-/// heard: its root mean square over the first 5 ms, before reverberation. If none is heard,
+/// not lost: its root mean square over the first 5 ms, before reverberation. If all are lost,
 /// they are relative to the one that the voice would have made.
 ///
 /// ```
@@ -50,7 +50,7 @@ pub struct Scene {
     pub reverb: Option<Reverb>,
     /// Sounds that are no impact, if any.
     pub clicks: Option<Clicks>,
-    /// Impacts that are not heard.
+    /// Impacts that are left out.
     pub lost: Lost,
     /// Constant added by the recorder, as a fraction of full scale, -1 to 1.
     pub dc_offset: f64,
@@ -140,7 +140,7 @@ impl Scene {
 /// Background noise of known strength, Gaussian.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Noise {
-    /// How its power lies over frequency.
+    /// How its power is distributed over frequency.
     pub colour: Colour,
     /// Signal-to-noise ratio in decibels, -60 to 200: 20 log10 of the root mean square of the
     /// loudest impact over its first 5 ms, over that of the noise over the whole recording.
@@ -178,7 +178,7 @@ impl Noise {
     }
 }
 
-/// How the power of a noise lies over frequency.
+/// How the power of a noise is distributed over frequency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Colour {
     /// The same power in every hertz.
@@ -232,7 +232,7 @@ impl Reverb {
 /// Sounds that are no impact: short ticks of random pitch at random times (Poisson).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clicks {
-    /// How many a second on average, above 0, at most 1000.
+    /// Mean number per second, above 0, at most 1000.
     pub rate_per_s: f64,
     /// Root mean square of each over its first 5 ms relative to the loudest impact, in decibels,
     /// -200 to 60.
@@ -240,7 +240,7 @@ pub struct Clicks {
 }
 
 impl Clicks {
-    /// So many a second, half as loud as the loudest impact.
+    /// Clicks at this mean rate, half as loud as the loudest impact.
     pub const fn often(rate_per_s: f64) -> Self {
         Self {
             rate_per_s,
@@ -249,18 +249,18 @@ impl Clicks {
     }
 }
 
-/// Which impacts are not heard.
+/// Which impacts are left out.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Lost {
-    /// None: all are heard.
+    /// None: all are in the recording.
     None,
     /// Each is lost with this chance, 0 to 1.
     Chance(f64),
-    /// Those at these places in the list of impact events, counted from 0.
+    /// Those with these indices in the list of impact events, counted from 0.
     At(Vec<usize>),
 }
 
-/// How samples are stored, and with it how finely they are rounded.
+/// How samples are stored, which determines how they are rounded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BitDepth {
     /// 8 bit: 256 levels.

@@ -48,8 +48,8 @@ pub struct Voice {
     /// The part of the contact over which the sound rises, 0 to 1.
     ///
     /// The rise is a quarter period of a squared sine: smooth at both ends, so that it adds
-    /// little above the modes themselves. It never takes less than two samples, as if an
-    /// anti-alias filter stood before the converter.
+    /// little above the modes themselves. It takes at least two samples, the rise of an
+    /// anti-alias filter.
     pub attack: f64,
     /// The exponent p in: sound pressure is proportional to (impact speed)^p; 0 to 4.
     ///
