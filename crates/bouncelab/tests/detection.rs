@@ -185,7 +185,7 @@ proptest! {
         prop_assert_eq!(detector.finish().found, detect(&sound).found);
     }
 
-    /// Times are relative: a train found is found again at any other time.
+    /// Times are relative: a train is found at any time.
     #[test]
     fn trains_do_not_depend_on_when_they_begin(shift in 0.0..1000.0) {
         let onsets: Vec<Onset> = usual_strikes().iter().map(|s| Onset::click(s.time_s)).collect();
@@ -450,9 +450,9 @@ fn two_balls_at_once_are_two_trains() {
             );
             pairs += 1;
             right += usize::from(detected.found.trains.len() == 2);
-            let [beside, beside_too] = [&one, &other].map(|sound| share_found(&detected, sound));
-            println!("{alone:.2} -> {beside:.2}, {alone_too:.2} -> {beside_too:.2}");
-            lost += alone - beside + alone_too - beside_too;
+            let [both, both_too] = [&one, &other].map(|sound| share_found(&detected, sound));
+            println!("{alone:.2} -> {both:.2}, {alone_too:.2} -> {both_too:.2}");
+            lost += alone - both + alone_too - both_too;
         }
     }
     let lost = lost / (2 * pairs) as f64;
@@ -646,7 +646,7 @@ fn samples_that_are_read_again_say_what_remembered_ones_say() {
     assert_eq!(found.channel, expected.channel);
 }
 
-/// The same sound at a rate so many times as high, on straight lines between its samples.
+/// The same sound at a multiple of its rate, interpolated linearly between its samples.
 fn finer(sound: &Rendered, times: u16) -> Rendered {
     let between = |pair: &[f32]| {
         let (from, to) = (pair[0], pair[1]);

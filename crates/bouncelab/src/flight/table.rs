@@ -609,8 +609,8 @@ mod tests {
         }
     }
 
-    /// So many times the drag in the table is the drag of so many times the coefficient, at the nodes
-    /// and between them; the weakest and the strongest are told too.
+    /// A multiple of the drag in the table is the drag of the same multiple of the coefficient, at the nodes
+    /// and between them, up to the weakest and the strongest.
     #[test]
     fn a_table_scales_its_drag() {
         let nominal = model(DragLaw::Constant(0.3));

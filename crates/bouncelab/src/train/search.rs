@@ -333,8 +333,8 @@ mod tests {
     fn evidence_in(apart_hz: f64) -> f64 {
         let (impacts_s, others_s) = times_s();
         let impacts = impacts_s.iter().map(|t| (*t, 3000.0));
-        let others = (1..).zip(&others_s);
-        let others = others.map(|(n, t)| (*t, 3000.0 + apart_hz * f64::from(n)));
+        let numbered = (1..).zip(&others_s);
+        let others = numbered.map(|(n, t)| (*t, 3000.0 + apart_hz * f64::from(n)));
         let samples = record(&impacts.chain(others).collect::<Vec<_>>());
         evidence(&|_| Excerpt {
             samples: samples.clone(),

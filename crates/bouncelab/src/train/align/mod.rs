@@ -282,8 +282,12 @@ fn audible_length(sounds: &[Sound], span: &Span) -> usize {
             let all = energy_in(sound, 0, span.max);
             (all > 0.0).then(|| energy_in(sound, after, span.max - after) / all)
         });
-        let shares: Vec<f64> = shares.collect();
-        shares.iter().sum::<f64>() / shares.len().max(1) as f64
+        let (mut sum, mut count) = (0.0, 0);
+        for share in shares {
+            sum += share;
+            count += 1;
+        }
+        sum / f64::from(count.max(1))
     };
     (span.min..span.max)
         .step_by(span.min / 4 + 1)

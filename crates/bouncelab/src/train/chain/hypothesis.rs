@@ -223,7 +223,7 @@ impl Hypothesis {
         let share = self.scatter2 / variance;
         let max_learnt = MAX_LEARNT_SURPRISE * MAX_LEARNT_SURPRISE * self.scatter2;
         let observed = (surprise * surprise * share).min(max_learnt);
-        // The mean of the squares, in which the prior counts as so many of them.
+        // The mean of the squares, in which the prior counts as several of them.
         ((counts * self.scatter2 + observed) / (counts + 1.0)).max(MIN_SCATTER.powi(2))
     }
 
