@@ -84,7 +84,7 @@ pub(crate) const LANES: usize = if cfg!(target_family = "wasm") { 1 } else { 8 }
 
 /// One number for each of `L` problems that are computed side by side. Inside
 /// [`dispatch`] an operation on all of them is a few instructions. `wide` has such types too, of the width that is known
-/// when the program is compiled (docs/decisions/010).
+/// when the program is compiled (docs/decisions/009).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Lanes<const L: usize>(pub(crate) [f64; L]);
 
