@@ -56,7 +56,7 @@ test('drops in a recording are detected and analysed, impact for impact', async 
       const opened = performance.now();
       let quick = opened;
       // A height of its own for each run, so that nothing is remembered.
-      const settings = { height_m: 0.5 + run / 1e4 };
+      const settings = { drop: { height_m: 0.5 + run / 1e4 } };
       await lab.analyse(lab.request(recording, settings), () => {
         quick = performance.now();
       });
@@ -125,7 +125,7 @@ test('the latest analysis wins, and a file can be called off', async () => {
     const recording = await lab.open(new File([bytes], 'twelve.wav'));
     const kinds = [0.4, 0.45, 0.5].map((height_m) =>
       lab
-        .analyse(lab.request(recording, { height_m }), () => undefined)
+        .analyse(lab.request(recording, { drop: { height_m } }), () => undefined)
         .then(
           (analysed) => (analysed.document.drops[0]?.posterior ? 'full' : 'quick'),
           (error) => (engine.LabError.isMoot(error) ? 'superseded' : String(error)),
@@ -185,7 +185,7 @@ test('a marker snaps to the onset next to it; sound can be seen and simulated', 
     const timeS = impact?.time_s ?? 0;
     const { recording: demo, demo: about } = await lab.demo();
     const request = {
-      settings: { gravity_m_s2: 1.62, air_density_kg_m3: 0 },
+      settings: { gravity: { gravity_m_s2: 1.62 }, air: { density_kg_m3: 0 } },
       height_m: 1,
       restitution: '0.9',
       bounces: 5,
@@ -244,7 +244,9 @@ test('what is no recording is refused in words, and the next one is opened', asy
         times: await refusal(['1.0\n0.5\n'], 'times.txt'),
         setting: await lab
           .open(new File([bytes(base64)], 'twelve.wav'))
-          .then((recording) => lab.analyse(lab.request(recording, { ball: 'table-tenis' })))
+          .then((recording) =>
+            lab.analyse(lab.request(recording, { ball: { kind: 'table-tenis' } })),
+          )
           .catch((error) => ({ kind: error.kind as string, message: error.message as string })),
       };
     },

@@ -109,17 +109,17 @@ describe('the same document as the command line', () => {
       ...['--ball', 'tennis', '--voice', 'tennis', '--sample-rate', '48000', '--seed', '4'],
     );
     const settings: Settings = {
-      ball: 'tennis',
-      temperature_k: 298.15,
-      pressure_pa: 95_000,
-      relative_humidity: 0.3,
-      latitude_deg: 47.5,
-      altitude_m: 400,
-      height_m: 0.6,
-      height_sd_m: 0.003,
-      drag: 'morrison',
-      restitution_laws: ['constant', 'power'],
-      flights: [1, 8],
+      ball: { kind: 'tennis' },
+      air: {
+        drag: 'morrison',
+        temperature_k: 298.15,
+        pressure_pa: 95_000,
+        relative_humidity: 0.3,
+      },
+      gravity: { latitude_deg: 47.5, altitude_m: 400 },
+      drop: { height_m: 0.6, height_sd_m: 0.003 },
+      inference: { restitution_laws: ['constant', 'power'] },
+      analysis: { flights: [1, 8] },
     };
     const words = [
       ...['--ball', 'tennis', '--temperature', '25C', '--pressure', '950hPa', '--humidity', '30%'],
@@ -134,7 +134,10 @@ describe('the same document as the command line', () => {
     const { impacts = [] } = detected(path).drops[0] ?? {};
     const times = join(place, 'times.txt');
     writeFileSync(times, impacts.map((impact) => impact.time_s.toFixed(4)).join('\n'));
-    const settings: Settings = { mass_kg: 0.0025, diameter_m: 0.038, infer: ['drag'] };
+    const settings: Settings = {
+      ball: { mass_kg: 0.0025, diameter_m: 0.038 },
+      inference: { infer: ['drag'] },
+    };
     const words = ['--mass', '2.5g', '--diameter', '38mm', '--infer', 'drag'];
     expectSameDocument(times, settings, ...words);
   });
@@ -164,7 +167,7 @@ describe('the same document as the command line', () => {
     const simulated = JSON.parse(
       science.simulate(
         JSON.stringify({
-          settings: { ball: 'basketball' },
+          settings: { ball: { kind: 'basketball' } },
           height_m: 1.8,
           restitution: 'linear:0.85,0.01',
           compare: ['none'],

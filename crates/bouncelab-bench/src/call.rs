@@ -5,7 +5,7 @@
 use std::time::Instant;
 
 use bouncelab::analyze;
-use bouncelab::setup::Settings;
+use bouncelab::settings::Settings;
 
 use crate::Result;
 
@@ -21,12 +21,9 @@ pub fn run(arguments: &[String]) -> Result {
     let bytes = std::fs::read(file)?;
     let (words, _) = bytes.as_chunks();
     let samples: Vec<f32> = words.iter().map(|&word| f32::from_le_bytes(word)).collect();
-    let known = Settings {
-        ball: Some("table-tennis-40".to_owned()),
-        draws: Some(draws.parse()?),
-        ..Settings::default()
-    };
-    let (options, rate) = (known.resolve(true)?.options, sample_rate_hz.parse()?);
+    let mut given = Settings::of_ball("table-tennis-40");
+    given.inference.draws = Some(draws.parse()?);
+    let (options, rate) = (given.resolve()?.options, sample_rate_hz.parse()?);
     for _ in 0..times.parse::<usize>()? {
         let start = Instant::now();
         analyze(&samples, rate, &options)?;

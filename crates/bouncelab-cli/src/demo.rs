@@ -6,7 +6,6 @@ use bouncelab::Estimate;
 use bouncelab::Plain;
 use bouncelab::demo;
 use bouncelab::drop::History;
-use bouncelab::setup::{BallInput, SetupInput};
 use bouncelab::synth::Rendered;
 use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_report::file::{Outputs, create_folder};
@@ -43,22 +42,16 @@ Examples:
   bouncelab demo --output /tmp/demo --seed 7";
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let ball = BallInput::Named(demo::BALL.to_owned());
-    let input = SetupInput {
-        ball: Some(ball),
-        ..SetupInput::default()
-    };
-    let mut physics = input.resolve()?;
-    physics.options = demo::settings()?;
+    let setup = demo::settings().resolve()?;
     let history = demo::history()?;
     let sound = demo::sound(&history, arguments.seed)?;
     let outputs = arguments.outputs.of_no_input();
     let recording = write_recording(&sound, &arguments.output, &outputs)?;
-    let analysed = read(&recording, &physics.options, false)?;
+    let analysed = read(&recording, &setup.options, false)?;
     print(&analysed, &history, &sound, &recording)?;
     save_figures(
         &analysed,
-        &physics,
+        &setup,
         &arguments.output,
         &mut Stems::default(),
         &outputs,

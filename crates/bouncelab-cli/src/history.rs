@@ -3,7 +3,8 @@
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{Start, Stop};
 use bouncelab::restitution::{LawKind, Restitution};
-use bouncelab::{Diagnostic, Options, plausibility};
+use bouncelab::settings::plausibility;
+use bouncelab::{Diagnostic, Options};
 use bouncelab_report::document::simulation::Run;
 use clap::Args;
 

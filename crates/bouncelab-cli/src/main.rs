@@ -9,13 +9,12 @@ mod language;
 mod listen;
 mod manual;
 mod paper;
-mod physics;
-mod priors;
 mod report;
 mod rules;
 #[cfg(feature = "serve")]
 mod serve;
 mod session;
+mod settings;
 mod simulate;
 mod synth;
 mod terminal;

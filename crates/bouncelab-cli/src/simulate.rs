@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use bouncelab::drag::DragLaw;
-use bouncelab::setup::Setup;
+use bouncelab::settings::Setup;
 use bouncelab_report::columns;
 use bouncelab_report::data_table::Formulas;
 use bouncelab_report::document::simulation::{Document, Run};
@@ -17,8 +17,8 @@ use crate::analyze::assumed;
 use crate::failure::Failure;
 use crate::history::HistoryArguments;
 use crate::language::{text, text_with, translator};
-use crate::physics::{PhysicsArguments, drag_law};
 use crate::report::{OutputArguments, wrote_figure};
+use crate::settings::{PhysicsArguments, drag_law};
 use crate::terminal::{print, print_data, print_json};
 
 /// Simulate a drop: a table of bounces, totals, and height against time
@@ -64,7 +64,7 @@ enum Format {
 const MOST_ROWS: usize = 100;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = arguments.physics.questioned(arguments.history.question())?;
+    let physics = arguments.physics.resolve(arguments.history.question())?;
     let laws = std::iter::once(physics.options.environment.drag).chain(arguments.compare.clone());
     let runs = laws
         .map(|law| arguments.history.run(law, &physics.options))

@@ -17,8 +17,8 @@ use clap::{Args, ValueEnum};
 use crate::failure::Failure;
 use crate::history::HistoryArguments;
 use crate::language::text_with;
-use crate::physics::PhysicsArguments;
 use crate::report::OutputArguments;
+use crate::settings::PhysicsArguments;
 use crate::terminal::print;
 use crate::units;
 
@@ -176,7 +176,7 @@ fn voice(name: &str) -> Result<Voice, String> {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let physics = arguments.physics.questioned(arguments.history.question())?;
+    let physics = arguments.physics.resolve(arguments.history.question())?;
     let truth = arguments
         .truth
         .as_deref()

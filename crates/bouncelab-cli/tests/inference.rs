@@ -239,12 +239,9 @@ fn an_impact_before_time_zero_can_be_left_out() {
 fn contradictions_are_refused() {
     let contradictions: [(&[&str], &str); 7] = [
         (&["--known", "mass=1%,mass=2%"], "mass twice"),
-        (&["--known", "drag=1%", "--infer", "drag"], "--infer drag"),
-        (&["--infer", "drag", "--drag", "none"], "--drag none"),
-        (
-            &["--infer", "drag", "--air-density", "0"],
-            "--air-density 0",
-        ),
+        (&["--known", "drag=1%", "--infer", "drag"], "infer drag"),
+        (&["--infer", "drag", "--drag", "none"], "drag none"),
+        (&["--infer", "drag", "--air-density", "0"], "air density 0"),
         (
             &["--infer", "contact-time", "--contact-time", "0"],
             "contact time of exactly 0",

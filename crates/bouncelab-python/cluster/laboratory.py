@@ -14,7 +14,7 @@ import bouncelab as bl
 from bouncelab import batch
 
 PATTERN = "{surface}_{height}_{}"
-SETTINGS: batch.Settings = {"ball": "table-tennis-40", "draws": 100, "pattern": PATTERN}
+SETTINGS: batch.KernelOptions = {"ball": "table-tennis-40", "draws": 100, "pattern": PATTERN}
 
 #: So many recordings are compared with a session.
 RECORDINGS = int(os.environ.get("BOUNCELAB_CLUSTER_RECORDINGS", "2000"))

@@ -37,7 +37,7 @@ from pyarrow import parquet
 from bouncelab import batch
 from bouncelab._program import find
 
-SETTINGS: batch.Settings = {"ball": "table-tennis-40", "draws": 1000, "pattern": PATTERN}
+SETTINGS: batch.KernelOptions = {"ball": "table-tennis-40", "draws": 1000, "pattern": PATTERN}
 TEMPORARY = Path(os.environ.get("TMPDIR", "/tmp")) / "bouncelab-measure"
 MB = 1 << 20
 

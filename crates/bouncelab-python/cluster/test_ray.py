@@ -17,7 +17,7 @@ from bouncelab import InputError, batch
 from bouncelab.ray import analyze
 
 #: For what is not about numbers.
-QUICK: batch.Settings = {"draws": None}
+QUICK: batch.KernelOptions = {"draws": None}
 
 
 @pytest.fixture(scope="module")

@@ -17,7 +17,7 @@ from bouncelab import batch
 from bouncelab.spark import analyze, study
 
 #: For what is not about numbers.
-QUICK: batch.Settings = {"draws": None}
+QUICK: batch.KernelOptions = {"draws": None}
 
 #: All in one trigger, of no more tasks than it needs.
 ONCE = 400
@@ -85,7 +85,7 @@ def test_what_fails_becomes_a_row(
     monkeypatch.setattr(batch, "kernel", faulty)
     source, broken = with_faults(few, tmp_path / "recordings")
     output = tmp_path / "limited.parquet"
-    limited: batch.Settings = {**QUICK, "time_limit_s": 20.0}
+    limited: batch.KernelOptions = {**QUICK, "time_limit_s": 20.0}
     analyze(session_of_spark, source, output, tmp_path / "1", limited, files_per_trigger=ONCE)
     expected = dict.fromkeys(broken, "not-analysed") | {"abort.wav": "process-died"}
     assert failures(output) == expected | {"endless.wav": "out-of-time"}

@@ -4,48 +4,23 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use bouncelab::Detector;
-use bouncelab::analysis::{DetectionOptions, Edits, Plan};
-use bouncelab::setup::{Settings, Setup};
+use bouncelab::analysis::Plan;
+use bouncelab::settings::{Settings, Setup};
 use bouncelab_audio::{Input, check_layout};
 use pyo3::prelude::*;
-use serde::Deserialize;
 
 use crate::failure::Result;
 use crate::recording::Recording;
 use crate::samples::Frames;
 use crate::watch::Watch;
 
-/// Settings, resolved: what is known of ball and air, and what is asked.
+/// Settings, resolved.
 #[pyclass(frozen, module = "bouncelab._core")]
 #[derive(Clone)]
 pub(crate) struct Analyzer {
     /// As they were given: what a pickle holds.
     settings: String,
-    question: String,
     pub(crate) setup: Setup,
-}
-
-/// What is asked besides what [`Settings`] hold.
-#[derive(Deserialize)]
-#[serde(default, deny_unknown_fields)]
-struct Question {
-    inference: bool,
-    channel: Option<usize>,
-    band_hz: Option<(f64, f64)>,
-    exclude_s: Vec<f64>,
-    include_s: Vec<f64>,
-}
-
-impl Default for Question {
-    fn default() -> Self {
-        Self {
-            inference: true,
-            channel: None,
-            band_hz: None,
-            exclude_s: Vec::new(),
-            include_s: Vec::new(),
-        }
-    }
 }
 
 impl Analyzer {
@@ -72,28 +47,14 @@ impl Analyzer {
 #[pymethods]
 impl Analyzer {
     #[new]
-    fn new(settings: String, question: String) -> Result<Self> {
-        let stated: Settings = serde_json::from_str(&settings)?;
-        let asked: Question = serde_json::from_str(&question)?;
-        let mut setup = stated.resolve(asked.inference)?;
-        setup.options.detection = DetectionOptions {
-            channel: asked.channel,
-            band_hz: asked.band_hz.map(|(low, high)| low..high),
-        };
-        setup.options.edits = Edits {
-            exclude_s: asked.exclude_s,
-            include_s: asked.include_s,
-            gaps: Vec::new(),
-        };
-        Ok(Self {
-            settings,
-            question,
-            setup,
-        })
+    fn new(settings: String) -> Result<Self> {
+        let given: Settings = serde_json::from_str(&settings)?;
+        let setup = given.resolve()?;
+        Ok(Self { settings, setup })
     }
 
-    fn __getnewargs__(&self) -> (String, String) {
-        (self.settings.clone(), self.question.clone())
+    fn __getnewargs__(&self) -> (String,) {
+        (self.settings.clone(),)
     }
 
     /// Analyses a file.

@@ -8,7 +8,7 @@ use arrow_array::builder::{MapBuilder, MapFieldNames, StringBuilder};
 use arrow_array::{Array, ArrayRef, ListArray, RecordBatch, StringArray, StructArray};
 use arrow_buffer::{NullBuffer, OffsetBuffer};
 use arrow_schema::{DataType, Field, Fields, Schema};
-use bouncelab::setup::Settings;
+use bouncelab::settings::Settings;
 use bouncelab_audio::SoundFormat;
 use bouncelab_report::data_table::DataTable;
 use bouncelab_report::groups::Question;
@@ -54,7 +54,7 @@ impl Kernel {
     fn new(settings: &str, options: &str) -> Result<Self> {
         let settings: Settings = serde_json::from_str(settings)?;
         let options: KernelOptions = serde_json::from_str(options)?;
-        settings.resolve(options.inference)?;
+        settings.resolve()?;
         Ok(Self(OneByOne::new(settings, options)?))
     }
 

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread;
 use std::time::Duration;
 
-use bouncelab::setup::Settings;
+use bouncelab::settings::Settings;
 use bouncelab_report::groups::Question;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::report::Provenance;
@@ -44,7 +44,6 @@ struct Request {
     exclude: Vec<String>,
     allow_missing: bool,
     allow_implausible: bool,
-    inference: bool,
 }
 
 /// The recordings of a session with what is known of them, its title, and which names of files are odd.
@@ -64,10 +63,6 @@ impl Request {
         let english = Translator::english();
         let recordings = MetadataOptions {
             settings,
-            resolve: &|of_it| {
-                let setup = of_it.resolve(self.inference);
-                setup.map_err(|refusal| refusal.to_string())
-            },
             allow_implausible: self.allow_implausible,
             allow_missing: self.allow_missing,
             translator: &english,

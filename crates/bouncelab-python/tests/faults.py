@@ -41,7 +41,7 @@ def fail(name: str) -> None:
         time.sleep(1)
 
 
-def faulty(settings: batch.Settings | None = None, *, root: str = "", isolated: bool = False) -> Faulty:
+def faulty(settings: batch.KernelOptions | None = None, *, root: str = "", isolated: bool = False) -> Faulty:
     """Return it, as :func:`bouncelab.batch.kernel` does."""
     return Faulty(*sound(settings, root=root, isolated=isolated).__reduce__()[1])
 

@@ -21,7 +21,7 @@ from bouncelab._program import find  # noqa: E402
 from faults import Greedy, Process, faulty  # noqa: E402
 
 PATTERN = "{surface}_{height}_{}"
-SETTINGS: batch.Settings = {"ball": "table-tennis-40", "draws": 100, "pattern": PATTERN}
+SETTINGS: batch.KernelOptions = {"ball": "table-tennis-40", "draws": 100, "pattern": PATTERN}
 
 
 @pytest.fixture(scope="module")

@@ -52,7 +52,7 @@ def everything() -> dict[str, object]:
 
 OBJECTS = everything()
 #: Kinds of arguments, which have no objects of their own.
-WITHOUT = {"Options", "PhysicsSettings", "Progress", "ProgressBar"}
+WITHOUT = {"Options", "PhysicsOptions", "Progress", "ProgressBar"}
 
 
 def test_every_public_class_is_among_them() -> None:

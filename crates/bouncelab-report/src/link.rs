@@ -1,12 +1,12 @@
 //! A drop as the end of a link: its impact times, what was stated of it, and its name.
 //!
 //! ```
-//! use bouncelab::setup::Settings;
+//! use bouncelab::settings::Settings;
 //! use bouncelab_report::link::LinkedDrop;
 //!
 //! let drop = LinkedDrop {
 //!     name: "Anna, first try".to_owned(),
-//!     settings: Settings { ball: Some("tennis".to_owned()), ..Settings::default() },
+//!     settings: Settings::of_ball("tennis"),
 //!     times_s: vec![0.0, 0.4605, 0.8877, 1.2854],
 //! };
 //! let code = drop.code()?;
@@ -21,7 +21,7 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
-use bouncelab::setup::Settings;
+use bouncelab::settings::Settings;
 use crc::{CRC_32_ISO_HDLC, Crc};
 use serde::{Deserialize, Serialize, Serializer, ser};
 use serde_json::Value;
@@ -35,7 +35,7 @@ const MAX_IMPACTS: usize = 1000;
 /// Letters of a name; the rest is left out.
 const MAX_LETTERS: usize = 60;
 /// The form of what is packed; another whenever it changes.
-const VERSION: u8 = 1;
+const VERSION: u8 = 2;
 
 const CHECK: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);
 
@@ -172,8 +172,13 @@ fn sums(differences: &[i64]) -> Result<Vec<i64>, LinkProblem> {
 /// Settings as JSON, without what was not stated.
 fn stated(settings: &Settings) -> serde_json::Result<Value> {
     let mut value = serde_json::to_value(settings)?;
-    if let Some(fields) = value.as_object_mut() {
-        fields.retain(|_, value| !value.is_null());
+    if let Some(groups) = value.as_object_mut() {
+        groups.retain(|_, group| {
+            group.as_object_mut().is_some_and(|fields| {
+                fields.retain(|_, value| !value.is_null());
+                !fields.is_empty()
+            })
+        });
     }
     Ok(value)
 }

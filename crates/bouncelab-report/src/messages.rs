@@ -32,7 +32,7 @@ use std::collections::HashMap;
 use std::fmt;
 
 use bouncelab::diagnostic::Argument;
-use bouncelab::setup::BallInput;
+use bouncelab::settings::BallKind;
 use bouncelab::{Diagnostic, Recording};
 use fluent_syntax::ast::{
     Entry, Expression, InlineExpression, Pattern, PatternElement, VariantKey,
@@ -329,13 +329,13 @@ impl Translator {
     }
 
     /// A ball: the name of a preset, or what it is made of or weighs, and its diameter.
-    pub fn ball(&self, ball: &BallInput) -> String {
+    pub fn ball(&self, ball: &BallKind) -> String {
         let diameter = |diameter_m| ("diameter", in_thousandths(diameter_m));
         match *ball {
-            BallInput::Named(ref name) => self.named("ball", name),
-            BallInput::Steel(diameter_m) => self.text_with("ball-steel", &[diameter(diameter_m)]),
-            BallInput::Glass(diameter_m) => self.text_with("ball-glass", &[diameter(diameter_m)]),
-            BallInput::Measured {
+            BallKind::Preset(ref name) => self.named("ball", name),
+            BallKind::Steel(diameter_m) => self.text_with("ball-steel", &[diameter(diameter_m)]),
+            BallKind::Glass(diameter_m) => self.text_with("ball-glass", &[diameter(diameter_m)]),
+            BallKind::Measured {
                 mass_kg,
                 diameter_m,
             } => {
@@ -628,16 +628,16 @@ mod tests {
 
     #[test]
     fn a_ball_has_a_name_in_every_language() {
-        let named = |language, ball: BallInput| Translator::new(language).unwrap().ball(&ball);
+        let named = |language, ball: BallKind| Translator::new(language).unwrap().ball(&ball);
         for preset in bouncelab::ball::presets() {
-            let ball = BallInput::Named(preset.name.to_owned());
+            let ball = BallKind::Preset(preset.name.to_owned());
             assert_eq!(named("en", ball), preset.label);
         }
-        let football = BallInput::Named("football".to_owned());
+        let football = BallKind::Preset("football".to_owned());
         assert_eq!(named("fr", football), "football, taille 5");
-        assert_eq!(named("es", BallInput::Steel(0.0127)), "acero, 12,7 mm");
+        assert_eq!(named("es", BallKind::Steel(0.0127)), "acero, 12,7 mm");
         let (mass_kg, diameter_m) = (0.0025, 0.038);
-        let measured = BallInput::Measured {
+        let measured = BallKind::Measured {
             mass_kg,
             diameter_m,
         };

@@ -15,7 +15,7 @@ use bouncelab::Result;
 use bouncelab::drop::{self, Bounce, Start, Stop};
 use bouncelab::gravity::STANDARD_M_S2;
 use bouncelab::restitution::{Contact, Restitution};
-use bouncelab::setup::Settings;
+use bouncelab::settings::Settings;
 use maud::{DOCTYPE, Markup, html};
 
 use crate::digits::with_minus;
@@ -299,12 +299,9 @@ impl Sheet {
 
     /// The first flights of a ball from the height of the sheet.
     fn flights(self, ball: &str, restitution: f64, air: bool) -> Result<Flights> {
-        let settings = Settings {
-            ball: Some(ball.to_owned()),
-            drag: (!air).then(|| "none".to_owned()),
-            ..Settings::default()
-        };
-        let options = settings.resolve(false)?.options;
+        let mut settings = Settings::of_ball(ball);
+        settings.air.drag = (!air).then(|| "none".to_owned());
+        let options = settings.resolve()?.options;
         let contact = Contact::new(Restitution::constant(restitution)?, options.contact_time_s)?;
         let model = options.model()?;
         let start = Start::Height(self.height_m());

@@ -2,7 +2,10 @@
 
 use bouncelab::inference::ApexTarget;
 use bouncelab::restitution::LawKind;
-use bouncelab::setup::{Inferred, Settings};
+use bouncelab::settings::{
+    AirSettings, AnalysisSettings, BallSettings, DetectionSettings, DropSettings, EditSettings,
+    GravitySettings, InferenceSettings, Inferred, Settings,
+};
 use bouncelab_report::link::{LinkProblem, LinkedDrop};
 use proptest::prelude::*;
 
@@ -22,53 +25,72 @@ fn drops(impacts: impl Into<proptest::collection::SizeRange>) -> impl Strategy<V
     (".{0,60}", height, times).prop_map(|(name, height_mm, times_s)| LinkedDrop {
         name: name.chars().take(MAX_LETTERS).collect(),
         settings: Settings {
-            ball: Some("table-tennis-40".to_owned()),
-            height_m: height_mm.map(|height| f64::from(height) / 1000.0),
-            temperature_k: Some(293.15),
-            ..Settings::default()
+            air: AirSettings {
+                temperature_k: Some(293.15),
+                ..AirSettings::default()
+            },
+            drop: DropSettings {
+                height_m: height_mm.map(|height| f64::from(height) / 1000.0),
+                ..DropSettings::default()
+            },
+            ..Settings::of_ball("table-tennis-40")
         },
         times_s,
     })
 }
 
-/// Every setting that goes with the others, in numbers as people state them: the longest drop that is sent. Digits that
-/// nobody states make it longer, up to 1,600 letters with 17 in every number.
+/// Every setting of a drop that goes with the others, in numbers as people state them: the longest drop that is sent.
+/// Digits that nobody states make it longer.
 fn all_stated() -> Settings {
     Settings {
-        ball: Some("table-tennis-40".to_owned()),
-        mass_kg: Some(0.002_72),
-        diameter_m: Some(0.040_12),
-        contact_time_s: Some(0.000_9),
-        drag: Some("clift-grace-weber".to_owned()),
-        temperature_k: Some(21.5 + 273.15),
-        pressure_pa: Some(98_750.0),
-        relative_humidity: Some(0.47),
-        air_density_kg_m3: None,
-        air_viscosity_pa_s: None,
-        buoyancy: Some(false),
-        added_mass: Some(false),
-        gravity_m_s2: None,
-        latitude_deg: Some(48.137_43),
-        altitude_m: Some(519.5),
-        height_m: Some(0.3048),
-        height_sd_m: Some(0.001_5),
-        release_s: Some(0.123_45),
-        release_sd_s: Some(0.005),
-        first_detected: Some(false),
-        restitution_laws: Some(LawKind::ALL.map(|law| law.name().to_owned()).into()),
-        infer: Some(vec![
-            Inferred::Gravity,
-            Inferred::Drag,
-            Inferred::ContactTime,
-        ]),
-        flights: Some((10, 59)),
-        at_speed_m_s: Some(2.35),
-        reach: Some(vec![ApexTarget {
-            bounce: 10,
-            apex_m: 0.283,
-        }]),
-        draws: Some(100_000),
-        seed: Some(u64::MAX),
+        ball: BallSettings {
+            kind: Some("table-tennis-40".to_owned()),
+            mass_kg: Some(0.002_72),
+            diameter_m: Some(0.040_12),
+            contact_time_s: Some(0.000_9),
+        },
+        air: AirSettings {
+            drag: Some("clift-grace-weber".to_owned()),
+            temperature_k: Some(21.5 + 273.15),
+            pressure_pa: Some(98_750.0),
+            relative_humidity: Some(0.47),
+            density_kg_m3: None,
+            viscosity_pa_s: None,
+            buoyancy: Some(false),
+            added_mass: Some(false),
+        },
+        gravity: GravitySettings {
+            gravity_m_s2: None,
+            latitude_deg: Some(48.137_43),
+            altitude_m: Some(519.5),
+        },
+        drop: DropSettings {
+            height_m: Some(0.3048),
+            height_sd_m: Some(0.001_5),
+            release_s: Some(0.123_45),
+            release_sd_s: Some(0.005),
+            first_detected: Some(false),
+        },
+        // The times of a link are those that were detected and edited.
+        detection: DetectionSettings::default(),
+        edits: EditSettings::default(),
+        analysis: AnalysisSettings {
+            flights: Some((10, 59)),
+            compare_balls: Some(true),
+        },
+        inference: InferenceSettings {
+            enabled: Some(true),
+            restitution_laws: Some(LawKind::ALL.map(|law| law.name().to_owned()).into()),
+            infer: Some(Inferred::ALL.to_vec()),
+            known: None,
+            at_speed_m_s: Some(2.35),
+            reach: Some(vec![ApexTarget {
+                bounce: 10,
+                apex_m: 0.283,
+            }]),
+            draws: Some(100_000),
+            seed: Some(u64::MAX),
+        },
     }
 }
 

@@ -5,8 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use bouncelab::analyze_times;
 use bouncelab::diagnostic::{Code, Diagnostic};
 use bouncelab::groups::{CurvePoint, RestitutionCurve};
-use bouncelab::inference::{InferenceOptions, SamplerConfig};
-use bouncelab::setup::{BallInput, Setup, SetupInput};
+use bouncelab::settings::{BallKind, Settings, Setup};
 use bouncelab_report::groups::{self, About, GroupStudy, NotedDrop, Question, Reason};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::report::{self, Markdown, Page, Provenance, ReportInput};
@@ -15,15 +14,10 @@ use bouncelab_report::report::{self, Markdown, Page, Provenance, ReportInput};
 const HOSTILE: &str = "a\"><script>alert('1')</script><img src=x onerror=alert(2)>--> ](javascript:x) `| $x$ & \n# b.wav";
 
 fn setup(ball: &str) -> Setup {
-    let mut setup = SetupInput::default().resolve().unwrap();
-    setup.options.inference = Some(InferenceOptions {
-        sampler: SamplerConfig {
-            draws: 400,
-            seed: 1,
-        },
-        ..InferenceOptions::default()
-    });
-    setup.ball = BallInput::Named(ball.to_owned());
+    let mut settings = Settings::default();
+    settings.inference.draws = Some(400);
+    let mut setup = settings.resolve().unwrap();
+    setup.ball = BallKind::Preset(ball.to_owned());
     setup
 }
 

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
-use bouncelab::setup::{Settings, Setup};
-use bouncelab::{Diagnostic, Options, ball, plausibility};
+use bouncelab::settings::{AirSettings, BallSettings, DropSettings, Settings, Setup, plausibility};
+use bouncelab::{Diagnostic, Options, ball};
 use bouncelab_report::groups::some_of;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::units;
@@ -90,7 +90,9 @@ impl KnownRecording {
 /// What the notes of a recording mean; recordings with the same notes share it.
 #[derive(Debug)]
 pub struct Metadata {
-    /// Ball, air, gravity, priors, and what of them was assumed.
+    /// What was stated, of all recordings and of this one.
+    pub settings: Settings,
+    /// The options that follow, and what was assumed.
     pub setup: Setup,
     /// What its drops are compared by: "surface", "steel".
     pub factors: BTreeMap<String, String>,
@@ -110,31 +112,31 @@ impl Metadata {
 /// What holds for all recordings, with what was noted of one, which goes before.
 fn completed(noted: &Settings, of_all: &Settings) -> Settings {
     let mut both = of_all.clone();
-    if noted.ball.is_some() {
-        both.ball.clone_from(&noted.ball);
-        both.mass_kg = None;
-        both.diameter_m = None;
+    let (ball, air, drop) = (&mut both.ball, &mut both.air, &mut both.drop);
+    if noted.ball.kind.is_some() {
+        ball.kind.clone_from(&noted.ball.kind);
+        ball.mass_kg = None;
+        ball.diameter_m = None;
     }
-    both.mass_kg = noted.mass_kg.or(both.mass_kg);
-    both.diameter_m = noted.diameter_m.or(both.diameter_m);
-    both.contact_time_s = noted.contact_time_s.or(both.contact_time_s);
-    both.temperature_k = noted.temperature_k.or(both.temperature_k);
-    both.pressure_pa = noted.pressure_pa.or(both.pressure_pa);
-    both.relative_humidity = noted.relative_humidity.or(both.relative_humidity);
+    ball.mass_kg = noted.ball.mass_kg.or(ball.mass_kg);
+    ball.diameter_m = noted.ball.diameter_m.or(ball.diameter_m);
+    ball.contact_time_s = noted.ball.contact_time_s.or(ball.contact_time_s);
+    air.temperature_k = noted.air.temperature_k.or(air.temperature_k);
+    air.pressure_pa = noted.air.pressure_pa.or(air.pressure_pa);
+    air.relative_humidity = noted.air.relative_humidity.or(air.relative_humidity);
     // The uncertainty of one height is not that of another.
-    let of_all_sd_m = both.height_sd_m.filter(|_| noted.height_m.is_none());
-    both.height_sd_m = noted.height_sd_m.or(of_all_sd_m);
-    both.height_m = noted.height_m.or(both.height_m);
+    let of_all_sd_m = drop.height_sd_m.filter(|_| noted.drop.height_m.is_none());
+    drop.height_sd_m = noted.drop.height_sd_m.or(of_all_sd_m);
+    drop.height_m = noted.drop.height_m.or(drop.height_m);
     both
 }
 
 /// How notes are read.
-#[expect(missing_debug_implementations, reason = "a function cannot be shown")]
+#[derive(Clone, Copy)]
+#[expect(missing_debug_implementations, reason = "a translator cannot be shown")]
 pub struct MetadataOptions<'a> {
     /// What holds for all recordings. If it says the ball, any name in the notes may stand for it.
     pub settings: &'a Settings,
-    /// What follows from what is known of a recording; or what does not go together.
-    pub resolve: &'a dyn Fn(&Settings) -> std::result::Result<Setup, String>,
     /// Whether to believe what looks like a mistake.
     pub allow_implausible: bool,
     /// Whether recordings may lack what others have.
@@ -207,21 +209,32 @@ impl MetadataOptions<'_> {
         let kind = one.ball(&session.balls, &mut values);
         let value = |field: &str| values.get(field).copied();
         let kind = kind.map(|kind| units::ball(&kind)).transpose();
-        let ball = kind.map_err(|problem| one.problem(problem)).ok()?;
+        let kind = kind.map_err(|problem| one.problem(problem)).ok()?;
         let noted = Settings {
-            ball,
-            mass_kg: value("mass"),
-            diameter_m: value("diameter"),
-            contact_time_s: value("contact_time"),
-            temperature_k: value("temperature"),
-            pressure_pa: value("pressure"),
-            relative_humidity: value("humidity"),
-            height_m: value("height"),
-            height_sd_m: value("height_sd"),
+            ball: BallSettings {
+                kind,
+                mass_kg: value("mass"),
+                diameter_m: value("diameter"),
+                contact_time_s: value("contact_time"),
+            },
+            air: AirSettings {
+                temperature_k: value("temperature"),
+                pressure_pa: value("pressure"),
+                relative_humidity: value("humidity"),
+                ..AirSettings::default()
+            },
+            drop: DropSettings {
+                height_m: value("height"),
+                height_sd_m: value("height_sd"),
+                ..DropSettings::default()
+            },
             ..Settings::default()
         };
-        let setup = (self.resolve)(&completed(&noted, self.settings));
-        let setup = setup.map_err(|problem| one.problem(problem)).ok()?;
+        let settings = completed(&noted, self.settings);
+        let setup = settings.resolve();
+        let setup = setup
+            .map_err(|refusal| one.problem(self.translator.diagnostic(&refusal.diagnostic())))
+            .ok()?;
         if let Some(question) = plausibility::of_ball(&setup.options.ball) {
             one.question(&question, "");
         }
@@ -230,19 +243,20 @@ impl MetadataOptions<'_> {
         let mut factors = texts.clone();
         factors.retain(|field, _| COMPARED.contains(&&**field) || reader(field).is_none());
         // The same height in other words is the same level.
-        if let Some(height_m) = noted.height_m {
+        if let Some(height_m) = noted.drop.height_m {
             let level = format!("{} cm", rounded(height_m * 100.0));
             factors.insert("height".to_owned(), level);
         }
-        if let Some(kelvin) = noted.temperature_k {
+        if let Some(kelvin) = noted.air.temperature_k {
             let level = format!("{} \u{b0}C", rounded(kelvin - 273.15));
             factors.insert("temperature".to_owned(), level);
         }
         let metadata = Metadata {
+            settings,
             setup,
             factors,
-            height_m: noted.height_m,
-            temperature_k: noted.temperature_k,
+            height_m: noted.drop.height_m,
+            temperature_k: noted.air.temperature_k,
         };
         Some((texts, metadata))
     }
@@ -378,7 +392,7 @@ impl One<'_> {
         }
         let is_measured = ["mass", "diameter"].map(|field| self.said.contains_key(field));
         let of_all = self.options.settings;
-        let is_known = of_all.ball.is_some() || of_all.mass_kg.is_some();
+        let is_known = of_all.ball.kind.is_some() || of_all.ball.mass_kg.is_some();
         if !is_known && is_measured != [true, true] {
             self.problems.unknown_balls.insert(label);
         }

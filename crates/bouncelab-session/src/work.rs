@@ -83,7 +83,7 @@ mod tests {
     use std::path::Path;
     use std::sync::Arc;
 
-    use bouncelab::setup::Settings;
+    use bouncelab::settings::Settings;
 
     use super::*;
     use crate::hash::{hash, hash_of};
@@ -104,7 +104,8 @@ mod tests {
                 name: "drop.txt".to_owned(),
             },
             metadata: Arc::new(Metadata {
-                setup: Settings::default().resolve(false).unwrap(),
+                settings: Settings::default().without_inference(),
+                setup: Settings::default().without_inference().resolve().unwrap(),
                 factors: BTreeMap::new(),
                 height_m: None,
                 temperature_k: None,

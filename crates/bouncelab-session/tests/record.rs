@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use bouncelab::setup::{DropInput, SetupInput};
+use bouncelab::inference::{Measured, Priors};
+use bouncelab::settings::Settings;
 use bouncelab::{Options, demo};
 use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_session::hash::{Hash, hash};
@@ -57,9 +58,11 @@ fn what_cannot_be_read_is_a_record_too() {
 
 /// The hash under which a result with these options is kept.
 fn settings(options: Options) -> Hash {
-    let mut setup = SetupInput::default().resolve().unwrap();
+    let settings = Settings::default();
+    let mut setup = settings.resolve().unwrap();
     setup.options = options;
     let metadata = Metadata {
+        settings,
         setup,
         factors: BTreeMap::new(),
         height_m: None,
@@ -80,11 +83,13 @@ fn settings(options: Options) -> Hash {
 fn another_setting_is_another_key() {
     let options = Options::default;
     assert_eq!(settings(options()), settings(options()));
-    let height = DropInput {
-        height_m: Some(0.305),
-        ..DropInput::default()
+    let priors = Priors {
+        drop_height_m: Some(Measured {
+            value: 0.305,
+            sd: 0.002,
+        }),
+        ..options().priors
     };
-    let priors = height.add_to(&options().priors).unwrap();
     let others = [
         options().without_inference(),
         options().with_gravity_m_s2(9.81),

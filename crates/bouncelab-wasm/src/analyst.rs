@@ -6,7 +6,7 @@ use bouncelab::Recording;
 use bouncelab::analysis::{Drop, DropTask, Plan};
 use bouncelab::detection::Envelope;
 use bouncelab::inference::PriorContraction;
-use bouncelab::setup::Setup;
+use bouncelab::settings::Setup;
 use bouncelab_report::Chart;
 use bouncelab_report::columns::TableKind;
 use bouncelab_report::data_table::Formulas;
@@ -55,7 +55,10 @@ impl Analyst {
         request: &'a AnalysisRequest,
         translator: &'a Translator,
     ) -> Result<Analysis<'a>> {
-        let mut setup = request.settings.resolve(request.inference)?;
+        let mut setup = request.settings.resolve()?;
+        if !request.inference {
+            setup.options.inference = None;
+        }
         let candidates = request.drops.iter().map(DropMarks::candidate).collect();
         let plan = Plan::of_candidates(request.source.clone(), candidates, &setup.options);
         let drops = plan.tasks().iter().map(|task| self.drop(task)).collect();

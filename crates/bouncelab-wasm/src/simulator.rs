@@ -5,7 +5,6 @@ use bouncelab::demo;
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{History, Start, Stop};
 use bouncelab::impact::ImpactEvent;
-use bouncelab::setup::Settings;
 use bouncelab::synth::{self, BitDepth, Noise, Rendered, Scene, Voice};
 use bouncelab_report::Chart;
 use bouncelab_report::chart::Point;
@@ -26,7 +25,7 @@ const POINTS: usize = 4000;
 ///
 /// If something in the request is out of range.
 pub fn simulate(request: &SimulationRequest, translator: &Translator) -> Result<Document> {
-    let setup = request.settings.resolve(false)?;
+    let setup = request.settings.resolve()?;
     let settings = &setup.options;
     let compared = request.compare.iter().flatten();
     let compared: Vec<DragLaw> = compared
@@ -47,7 +46,7 @@ pub fn simulate(request: &SimulationRequest, translator: &Translator) -> Result<
 ///
 /// If something in the request is out of range.
 pub fn moved_curve(request: &SimulationRequest, first_s: f64) -> Result<Vec<Point>> {
-    let history = history(&request.settings.resolve(false)?.options, request)?;
+    let history = history(&request.settings.resolve()?.options, request)?;
     let first_bounce = history.bounces().first();
     let shift_s = first_s - first_bounce.map_or(0.0, |bounce| bounce.time_s);
     let points = figure::curve_of(&history, POINTS).into_iter();
@@ -63,7 +62,7 @@ pub fn moved_curve(request: &SimulationRequest, first_s: f64) -> Result<Vec<Poin
 /// If something in a request is out of range.
 pub fn charts(runs: &[SimulationRun], translator: &Translator) -> Result<[Chart; 2]> {
     let histories = runs.iter().map(|run| {
-        let settings = run.request.settings.resolve(false)?.options;
+        let settings = run.request.settings.resolve()?.options;
         let present = if settings.environment.drag == DragLaw::None {
             Meaning::Plain
         } else {
@@ -103,7 +102,7 @@ fn history(settings: &Options, request: &SimulationRequest) -> Result<History> {
 ///
 /// If something in the request or the scene is out of range.
 pub fn synthesise(request: &SimulationRequest, scene: &SceneRequest) -> Result<Rendered> {
-    let setup = request.settings.resolve(false)?;
+    let setup = request.settings.resolve()?;
     let history = history(&setup.options, request)?;
     let voice =
         Voice::named(&scene.voice).ok_or_else(|| unknown("voice", &scene.voice, &Voice::NAMES))?;
@@ -131,14 +130,9 @@ pub fn synthesise(request: &SimulationRequest, scene: &SceneRequest) -> Result<R
 /// None with the numbers of the demo.
 pub fn demo(seed: u64) -> Result<(Demo, Rendered)> {
     let sound = demo::sound(&demo::history()?, seed)?;
-    let settings = Settings {
-        ball: Some(demo::BALL.to_owned()),
-        flights: Some(demo::FLIGHTS),
-        ..Settings::default()
-    };
     let demo = Demo {
         name: "demo.wav".to_owned(),
-        settings,
+        settings: demo::settings(),
         restitution: demo::RESTITUTION,
         drop_height_m: demo::DROP_HEIGHT_M,
     };

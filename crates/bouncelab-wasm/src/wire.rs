@@ -13,7 +13,7 @@ use bouncelab::air::Conditions;
 use bouncelab::analysis::{Drop, DropCandidate, Source, StrongestBand, renumbered};
 use bouncelab::groups::RestitutionCurve;
 use bouncelab::inference::{Measured, Posterior};
-use bouncelab::setup::Settings;
+use bouncelab::settings::Settings;
 use bouncelab::{Diagnostic, Impact};
 use bouncelab_report::document::Document;
 use bouncelab_report::figure::DropSummary;

@@ -1,7 +1,7 @@
 //! The table of impacts that the page saves.
 
 use bouncelab::analysis::Source;
-use bouncelab::setup::Settings;
+use bouncelab::settings::Settings;
 use bouncelab::{Options, analyze_times};
 use bouncelab_report::messages::Translator;
 use bouncelab_wasm::analyst::Analyst;

@@ -1,6 +1,6 @@
 //! A drop as a QR code.
 
-use bouncelab::setup::Settings;
+use bouncelab::settings::Settings;
 use bouncelab_report::link::LinkedDrop;
 use bouncelab_wasm::link::link;
 

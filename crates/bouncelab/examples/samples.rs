@@ -15,7 +15,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         (Some(file), Some(rate)) => (read(&file)?, rate.parse()?, Options::default()),
         (None, None) => {
             let sound = demo::sound(&demo::history()?, 1)?;
-            (sound.samples, sound.sample_rate_hz, demo::settings()?)
+            (
+                sound.samples,
+                sound.sample_rate_hz,
+                demo::settings().resolve()?.options,
+            )
         }
         _ => return Err("usage: samples [FILE SAMPLE_RATE_HZ]".into()),
     };

@@ -19,7 +19,7 @@ fn main() -> Result<()> {
         println!("{seconds:4.1} s: {impacts} impacts so far");
     }
 
-    let plan = Plan::of_detection(detector.finish(), &demo::settings()?);
+    let plan = Plan::of_detection(detector.finish(), &demo::settings().resolve()?.options);
     for drop in plan.run().drops {
         let restitution = drop.posterior?.restitution;
         println!("e = {:.4} ± {:.4}", restitution.value, restitution.sd);

@@ -10,12 +10,10 @@
 //! ```
 
 use crate::Result;
-use crate::analysis::Options;
-use crate::ball;
 use crate::drop::{self, History, Start, Stop};
 use crate::impact::ImpactEvent;
-use crate::inference::{InferenceOptions, Priors};
 use crate::restitution::{Contact, Restitution};
+use crate::settings::{AnalysisSettings, Settings};
 use crate::synth::{self, Noise, Rendered, Scene};
 
 /// The ball: 38 mm, 2.5 g.
@@ -25,25 +23,19 @@ pub const DROP_HEIGHT_M: f64 = 0.305;
 /// With drag, this restitution gives the paper's log-linear fit its slope over ten flights.
 pub const RESTITUTION: f64 = 0.9529;
 /// First and last flight of the paper's log-linear fit.
-pub const FLIGHTS: (u32, u32) = (1, 10);
+const FLIGHTS: (usize, usize) = (1, 10);
 /// Signal-to-noise ratio of the loudest impact in low background noise, in dB.
 const SNR_DB: f64 = 40.0;
 
-/// What a person would say of it; not its height, which is to be found again.
-///
-/// # Errors
-///
-/// None: the ball is a preset.
-pub fn settings() -> Result<Options> {
-    let preset = ball::preset(BALL)?;
-    Ok(Options {
-        ball: preset.ball,
-        contact_time_s: preset.contact_time_s,
-        flights: Some(FLIGHTS.0 as usize..=FLIGHTS.1 as usize),
-        priors: Priors::of_preset(preset),
-        inference: Some(InferenceOptions::default()),
-        ..Options::default()
-    })
+/// What a person would state of it; not its height, which the analysis is to find.
+pub fn settings() -> Settings {
+    Settings {
+        analysis: AnalysisSettings {
+            flights: Some(FLIGHTS),
+            ..AnalysisSettings::default()
+        },
+        ..Settings::of_ball(BALL)
+    }
 }
 
 /// What really happens.
@@ -54,10 +46,10 @@ pub fn settings() -> Result<Options> {
 pub fn history() -> Result<History> {
     /// Below this height of bounce, in metres, the sounds run into each other.
     const REST_M: f64 = 5e-4;
-    let settings = settings()?;
-    let contact = Contact::new(Restitution::constant(RESTITUTION)?, settings.contact_time_s)?;
+    let options = settings().resolve()?.options;
+    let contact = Contact::new(Restitution::constant(RESTITUTION)?, options.contact_time_s)?;
     let start = Start::Height(DROP_HEIGHT_M);
-    drop::simulate(&settings.model()?, &contact, start, Stop::below(REST_M))
+    drop::simulate(&options.model()?, &contact, start, Stop::below(REST_M))
 }
 
 /// How it sounds; the seed is that of the noise and of the small differences between impacts.

@@ -315,6 +315,8 @@ codes! {
     TooFewDrops = "too-few-drops", Error, ["needed", "drops"];
     /// No frequency band lies in the range.
     NoBand = "no-band", Error, ["range", "bands"];
+    /// Two settings contradict each other.
+    SettingsContradict = "settings-contradict", Error, ["first", "second"];
     /// Numbers do not increase.
     NotInOrder = "not-in-order", Error, ["what", "number"];
     /// The recording has no channel of this number.

@@ -55,10 +55,9 @@
 //! | [`inference`] | the posterior of everything that the impacts determine |
 //! | [`analysis`] | the pipeline: samples or times to a [`Recording`] |
 //! | [`Plain`] | text of others, fit to be shown |
-//! | [`plausibility`] | stated values that look like wrong units |
 //! | [`groups`] | statistics of many drops |
 //! | [`rulebook`] | conformity of a ball or a floor with a rule |
-//! | [`setup`] | stated quantities and assumptions |
+//! | [`settings`] | what is given, assumptions for the rest, values that look like wrong units |
 //! | [`demo`] | a drop with known truth |
 //!
 //! # Features
@@ -94,11 +93,10 @@ pub mod impact;
 pub mod inference;
 pub mod onset;
 mod plain;
-pub mod plausibility;
 pub mod regression;
 pub mod restitution;
 pub mod rulebook;
-pub mod setup;
+pub mod settings;
 mod simd;
 mod stats;
 pub mod synth;

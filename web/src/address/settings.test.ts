@@ -7,28 +7,32 @@ const roundTrip = (settings: Settings): Settings =>
 
 test('every setting survives the address', () => {
   const settings: Settings = {
-    ball: 'steel:0.01',
-    contact_time_s: 0.001,
-    drag: 'constant:0.4',
-    temperature_k: 296.15,
-    pressure_pa: 95000,
-    relative_humidity: 0.35,
-    gravity_m_s2: 9.81,
-    height_m: 0.305,
-    height_sd_m: 0.001,
-    first_detected: true,
-    restitution_laws: ['constant', 'power'],
-    infer: ['gravity', 'contact-time'],
-    flights: [1, 10],
-    buoyancy: false,
+    ball: { kind: 'steel:0.01', contact_time_s: 0.001 },
+    air: {
+      drag: 'constant:0.4',
+      temperature_k: 296.15,
+      pressure_pa: 95000,
+      relative_humidity: 0.35,
+      buoyancy: false,
+    },
+    gravity: { gravity_m_s2: 9.81 },
+    drop: { height_m: 0.305, height_sd_m: 0.001, first_detected: true },
+    inference: { restitution_laws: ['constant', 'power'], infer: ['gravity', 'contact-time'] },
+    analysis: { flights: [1, 10] },
   };
   expect(roundTrip(settings)).toEqual(settings);
-  const own: Settings = { mass_kg: 0.0025, diameter_m: 0.038, latitude_deg: -33.9, altitude_m: 20 };
+  const own: Settings = {
+    ball: { mass_kg: 0.0025, diameter_m: 0.038 },
+    gravity: { latitude_deg: -33.9, altitude_m: 20 },
+  };
   expect(roundTrip(own)).toEqual(own);
 });
 
 test('a link reads as people write', () => {
-  const parameters = settingsToParameters({ height_m: 0.305, temperature_k: 293.15 });
+  const parameters = settingsToParameters({
+    drop: { height_m: 0.305 },
+    air: { temperature_k: 293.15 },
+  });
   expect(parameters.toString()).toBe('temperature_c=20&height_cm=30.5');
 });
 
@@ -41,7 +45,7 @@ test('invalid values are named, the valid ones are used', () => {
     new URLSearchParams('ball=<script>&height_cm=tall&flights=1-1e9&temperature_c=20,5&unknown=1'),
   );
   expect(read.unreadable).toEqual(['ball', 'height_cm', 'flights']);
-  expect(read.settings).toEqual({ temperature_k: 293.65 });
+  expect(read.settings).toEqual({ air: { temperature_k: 293.65 } });
 });
 
 test('numbers with a comma, a sign or an exponent; nothing else', () => {

@@ -66,7 +66,7 @@ export function mustFit(name: string, bytes: number): void {
  * ```ts
  * const lab = new Lab();
  * const recording = await lab.open(file);
- * const analysed = await lab.analyse(lab.request(recording, { ball: 'table-tennis-40' }));
+ * const analysed = await lab.analyse(lab.request(recording, { ball: { kind: 'table-tennis-40' } }));
  * ```
  *
  * Every method rejects with a `LabError`, whose `message` is for people.

@@ -234,11 +234,11 @@ function ofAnalysis({ drops, settings: used }: Analysis): Promise<readonly Measu
     .peek()
     ?.balls.find((preset) => preset.mass_kg === mass_kg && preset.diameter_m === diameter_m);
   const { contact_time_s, drag, gravity_m_s2, buoyancy, added_mass } = used;
-  const { air_density_kg_m3, air_viscosity_pa_s } = used;
+  const { air_density_kg_m3: density_kg_m3, air_viscosity_pa_s: viscosity_pa_s } = used;
   const stated: Settings = {
-    ...(ball ? { ball: ball.name } : { mass_kg, diameter_m }),
-    ...{ contact_time_s, drag, gravity_m_s2, buoyancy, added_mass },
-    ...{ air_density_kg_m3, air_viscosity_pa_s },
+    ball: { ...(ball ? { kind: ball.name } : { mass_kg, diameter_m }), contact_time_s },
+    air: { drag, density_kg_m3, viscosity_pa_s, buoyancy, added_mass },
+    gravity: { gravity_m_s2 },
   };
   const marks = drops.map(({ impacts, probability }) => ({ impacts, probability, edited: false }));
   return marks.length === 0 ? Promise.resolve([]) : measureMarks(marks, stated);

@@ -113,8 +113,7 @@ export async function alter(id: string, changes: Labels | Partial<Measured>): Pr
 
 /** States another ball of a kept drop, which is analysed again. */
 export async function stateBallOf({ id, marks, settings }: KeptDrop, ball: string): Promise<void> {
-  const { mass_kg, diameter_m, contact_time_s, ...others } = settings;
-  const [measured] = await measureMarks([marks], { ...others, ball });
+  const [measured] = await measureMarks([marks], { ...settings, ball: { kind: ball } });
   if (measured) await alter(id, measured);
 }
 

@@ -36,13 +36,16 @@ export function readSettings(): void {
   if (ball !== null) writeSettings();
 }
 
-/** Changes settings; `undefined` returns one to what is assumed. */
-export function change(changes: { [K in keyof Settings]?: Settings[K] | undefined }): void {
-  const merged = { ...settings.peek(), ...changes };
-  const stated = Object.entries(merged).filter(
-    ([, value]) => value !== undefined && value !== null,
-  );
-  settings.value = Object.fromEntries(stated) as Settings;
+/** Changes settings of a group; `undefined` returns one to what is assumed. */
+export function change<G extends keyof Settings>(
+  group: G,
+  changes: { [K in keyof NonNullable<Settings[G]>]?: NonNullable<Settings[G]>[K] | undefined },
+): void {
+  const fields = Object.entries({ ...settings.peek()[group], ...changes });
+  const stated = fields.filter(([, value]) => value !== undefined && value !== null);
+  const { [group]: _, ...others } = settings.peek();
+  settings.value =
+    stated.length > 0 ? { ...others, [group]: Object.fromEntries(stated) } : (others as Settings);
   writeSettings();
 }
 
@@ -54,7 +57,7 @@ export function chooseBall(name: string): void {
 
 /** States a ball by its name, this time. */
 export function stateBall(name: string): void {
-  change({ ball: name, mass_kg: undefined, diameter_m: undefined });
+  change('ball', { kind: name, mass_kg: undefined, diameter_m: undefined });
 }
 
 export function forgetSettings(): void {

@@ -63,14 +63,17 @@ export function requestOf(asked: SimulationSetup): SimulationRequest {
   const where = catalogue.peek()?.bodies.find(({ name }) => name === world);
   const density = (where?.air_density_kg_m3 ?? 0) * air;
   const inAir = where && {
-    gravity_m_s2: where.gravity_m_s2,
-    air_density_kg_m3: density,
+    density_kg_m3: density,
     ...(where.air_viscosity_pa_s !== null && density > 0
-      ? { air_viscosity_pa_s: where.air_viscosity_pa_s }
+      ? { viscosity_pa_s: where.air_viscosity_pa_s }
       : {}),
   };
   return {
-    settings: { ball, drag, ...inAir },
+    settings: {
+      ball: { kind: ball },
+      air: { drag, ...inAir },
+      ...(where ? { gravity: { gravity_m_s2: where.gravity_m_s2 } } : {}),
+    },
     height_m: heightM,
     restitution: slope === 0 ? `${restitution}` : `power:${restitution},${AT_SPEED_M_S},${slope}`,
   };

@@ -24,7 +24,7 @@ const drop = {
   restitution: { value: 0.75, sd: null },
   dropHeightM: null,
   restitutions: [{ speedMS: 1, value: 0.75 }],
-  settings: { height_m: 0.5 },
+  settings: { drop: { height_m: 0.5 } },
   marks: { edited: false, probability: 1, impacts: [] },
   recording: 'r',
   student: 'Anna',

@@ -1,7 +1,7 @@
 //! The reported quantities of a drop as text.
 
 use bouncelab::analysis::Drop;
-use bouncelab::setup::Setup;
+use bouncelab::settings::Setup;
 use bouncelab_report::messages::Value;
 use bouncelab_report::quantities::{self, Level, Method, QuantityList, Reported};
 use bouncelab_report::{Unit, tables};

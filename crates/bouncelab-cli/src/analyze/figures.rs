@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::path::Path;
 
-use bouncelab::setup::Setup;
+use bouncelab::settings::Setup;
 use bouncelab_report::figure::{self, FigureInput, Mark};
 use bouncelab_report::file::Outputs;
 use bouncelab_report::messages::Translator;

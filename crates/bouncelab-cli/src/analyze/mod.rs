@@ -13,15 +13,12 @@ pub(crate) use read::{Analysed, read};
 use report::ReportArguments;
 pub(crate) use text::{assumed, note, report};
 
-use std::ops::{Range, RangeInclusive};
 use std::path::PathBuf;
-use std::str::FromStr;
 
 use bouncelab::Diagnostic;
 use bouncelab::Plain;
-use bouncelab::analysis::{DetectionOptions, Edits};
 use bouncelab::diagnostic::Code;
-use bouncelab::setup::Setup;
+use bouncelab::settings::Setup;
 use bouncelab_audio::SoundFormat;
 use bouncelab_report::columns::{TableKind, WHICH};
 use bouncelab_report::data_table::{Formulas, columns};
@@ -32,11 +29,9 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::language::{text, translator};
-use crate::physics::PhysicsArguments;
-use crate::priors::PriorArguments;
 use crate::report::OutputArguments;
+use crate::settings::{EditArguments, RecordingArguments};
 use crate::terminal::{print, print_data, print_json, print_json_line, say};
-use crate::units;
 
 /// Detect and analyse the drops in recordings, or in lists of impact times
 #[derive(Args)]
@@ -59,22 +54,8 @@ pub(crate) struct Arguments {
     /// Write a copy of one recording as WAV with a marker at each impact, which sound editors show
     #[arg(long, value_name = "FILE")]
     cues: Option<PathBuf>,
-    /// Flights of the log-linear fit, as in 1..10, ..20 or 3..
-    #[arg(long, value_name = "A..B", value_parser = flight_range)]
-    flights: Option<(usize, usize)>,
-    /// Use this channel only, counted from 1 (default: the one with the clearest impacts)
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-    channel: Option<u16>,
-    /// Use this frequency range only, in Hz, as in 400..6000 (default: all bands, each against its own
-    /// background)
-    #[arg(long, value_name = "LOW..HIGH", value_parser = frequency_range)]
-    band: Option<Range<f64>>,
-    /// Exclude the impacts at these times, as in 1.234s,2.5s
-    #[arg(long, value_name = "TIMES", value_delimiter = ',', allow_hyphen_values = true, value_parser = units::time)]
-    exclude: Vec<f64>,
-    /// Add impacts at these times
-    #[arg(long, value_name = "TIMES", value_delimiter = ',', allow_hyphen_values = true, value_parser = units::time)]
-    include: Vec<f64>,
+    #[command(flatten)]
+    edits: EditArguments,
     /// Print also the probability of each impact, the frequency band, the compared laws, the
     /// uncertainty budget and the priors
     #[arg(long)]
@@ -82,15 +63,10 @@ pub(crate) struct Arguments {
     /// Leave names in CSV as they are, even if a spreadsheet would run them as formulas
     #[arg(long)]
     csv_raw: bool,
-    /// Compare what the impact times say of each known ball
-    #[arg(long)]
-    which_ball: bool,
     #[command(flatten)]
     outputs: OutputArguments,
     #[command(flatten)]
-    physics: PhysicsArguments,
-    #[command(flatten)]
-    priors: PriorArguments,
+    recording: RecordingArguments,
 }
 
 /// The long description, with the formats that are read.
@@ -147,17 +123,7 @@ impl Format {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let mut physics = physics(&arguments.physics, &arguments.priors, arguments.flights)?;
-    physics.options.detection = DetectionOptions {
-        channel: arguments.channel.map(usize::from),
-        band_hz: arguments.band.clone(),
-    };
-    physics.options.compares_balls = arguments.which_ball;
-    physics.options.edits = Edits {
-        exclude_s: arguments.exclude.clone(),
-        include_s: arguments.include.clone(),
-        gaps: Vec::new(),
-    };
+    let setup = arguments.recording.resolve_with(&arguments.edits)?;
     let is_for_one = arguments.format.is_of_one() || arguments.cues.is_some();
     if is_for_one && arguments.files.len() > 1 {
         return Err(Failure::Usage(text("analyze-one-labelled")));
@@ -173,23 +139,23 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut empty_handed = false;
     for file in &arguments.files {
         let name = String::from(Plain::path(file));
-        match read(file, &physics.options, false) {
+        match read(file, &setup.options, false) {
             Ok(analysed) => {
                 empty_handed |= analysed.result.drops.is_empty();
                 if let Some(reason) = analysed.no_drop() {
                     say(format_args!("bouncelab: {reason}"));
                 }
                 if let Some(folder) = &arguments.figures {
-                    save_figures(&analysed, &physics, folder, &mut stems, &outputs)?;
+                    save_figures(&analysed, &setup, folder, &mut stems, &outputs)?;
                 }
                 if let Some(report_file) = report_file.take() {
-                    let page = arguments.report.page(file, &analysed, &physics)?;
+                    let page = arguments.report.page(file, &analysed, &setup)?;
                     report_file.write(&page)?;
                 }
                 if let Some(target) = &arguments.cues {
                     write_cues(file, &analysed, target, &outputs)?;
                 }
-                printer.print(&analysed, &physics)?;
+                printer.print(&analysed, &setup)?;
             }
             Err(failure @ (Failure::Usage(_) | Failure::Output(_) | Failure::NoPass(_))) => {
                 return Err(failure);
@@ -208,27 +174,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-/// The physics of a run, with what is known and asked, and the flights for the log-linear fit.
-pub(crate) fn physics(
-    physics: &PhysicsArguments,
-    priors: &PriorArguments,
-    flights: Option<(usize, usize)>,
-) -> Result<Setup, Failure> {
-    let settings = priors.complete(physics.settings());
-    physics.settle(settings.questions())?;
-    let mut setup = priors.resolve(&settings)?;
-    setup.options.flights = flights.map(|(first, last)| RangeInclusive::new(first, last));
-    Ok(setup)
-}
-
 /// The result for other programs.
-pub(crate) fn document<'a>(analysed: &'a Analysed, physics: &Setup) -> Document<'a> {
-    let mut assumptions = physics.assumptions.clone();
+pub(crate) fn document<'a>(analysed: &'a Analysed, setup: &Setup) -> Document<'a> {
+    let mut assumptions = setup.assumptions.clone();
     translator().complete_each(&mut assumptions);
     Document::new(
         &analysed.name,
         &analysed.result,
-        &physics.options,
+        &setup.options,
         &assumptions,
     )
 }
@@ -258,14 +211,14 @@ impl Printer {
         Ok(printer)
     }
 
-    fn print(&self, analysed: &Analysed, physics: &Setup) -> Result<(), Failure> {
+    fn print(&self, analysed: &Analysed, setup: &Setup) -> Result<(), Failure> {
         match self.format {
             Format::Text if analysed.result.drops.is_empty() => Ok(()),
-            Format::Text => print(report(analysed, physics, self.details)),
-            Format::Json => self.print_document(&document(analysed, physics)),
+            Format::Text => print(report(analysed, setup, self.details)),
+            Format::Json => self.print_document(&document(analysed, setup)),
             Format::Audacity => print_data(labels::audacity(&analysed.result)),
             Format::TextGrid => print_data(labels::text_grid(&analysed.result)),
-            Format::Tracker => print_data(tracker(&analysed.result, &physics.options)),
+            Format::Tracker => print_data(tracker(&analysed.result, &setup.options)),
             Format::Csv => {
                 let table = self.rows.table(&analysed.name, &analysed.result);
                 print_data(table.lines(self.formulas))
@@ -312,63 +265,4 @@ fn table_kind() -> impl TypedValueParser<Value = TableKind> {
             .find(|kind| kind.name() == name)
             .ok_or("unknown table")
     })
-}
-
-/// Reads `1..10` (both ends included), `..10`, `3..` or `5`.
-pub(crate) fn flight_range(text: &str) -> Result<(usize, usize), String> {
-    let single = || text.parse().ok().map(|number| (number, number));
-    let range = ends(text, "..", 1, usize::MAX).or_else(|| ends(text, "..=", 1, usize::MAX));
-    let range = range.or_else(single);
-    range
-        .filter(|&(first, last)| 1 <= first && first <= last)
-        .ok_or_else(|| {
-            format!("\"{text}\" is no range of flights, counted from 1; write it as in 1..10")
-        })
-}
-
-/// Reads `400..6000`, `..6000` or `400..`, in Hz.
-fn frequency_range(text: &str) -> Result<Range<f64>, String> {
-    ends(text, "..", 0.0, f64::INFINITY)
-        .filter(|(low, high)| (0.0..*high).contains(low))
-        .map(|(low, high)| low..high)
-        .ok_or_else(|| {
-            format!("\"{text}\" is no range of frequencies in Hz; write it as in 400..6000")
-        })
-}
-
-/// The two ends of a range, either of which may be open.
-fn ends<T: FromStr>(text: &str, between: &str, lowest: T, highest: T) -> Option<(T, T)> {
-    let end = |text: &str, open: T| match text {
-        "" => Some(open),
-        _ => text.parse().ok(),
-    };
-    let (first, last) = text.split_once(between)?;
-    Some((end(first, lowest)?, end(last, highest)?))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{flight_range, frequency_range};
-
-    #[test]
-    fn frequency_ranges_may_be_open() {
-        assert_eq!(frequency_range("400..6000"), Ok(400.0..6000.0));
-        assert_eq!(frequency_range("..6000"), Ok(0.0..6000.0));
-        assert_eq!(frequency_range("400.."), Ok(400.0..f64::INFINITY));
-        for wrong in ["400", "6000..400", "1..1", "a..b", "nan..5", "-5..5", ""] {
-            assert!(frequency_range(wrong).is_err(), "{wrong}");
-        }
-    }
-
-    #[test]
-    fn flight_ranges_include_both_ends() {
-        assert_eq!(flight_range("1..10"), Ok((1, 10)));
-        assert_eq!(flight_range("..10"), Ok((1, 10)));
-        assert_eq!(flight_range("3.."), Ok((3, usize::MAX)));
-        assert_eq!(flight_range("3..=7"), Ok((3, 7)));
-        assert_eq!(flight_range("5"), Ok((5, 5)));
-        assert!(flight_range("10..1").is_err());
-        assert!(flight_range("0..3").is_err());
-        assert!(flight_range("a..b").is_err());
-    }
 }

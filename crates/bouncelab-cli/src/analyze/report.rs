@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use bouncelab::setup::Setup;
+use bouncelab::settings::Setup;
 use bouncelab_report::file::Outputs;
 use bouncelab_report::report::{self, Page, Provenance, ReportInput};
 use bouncelab_session::hash::hash_of_file;

@@ -5,7 +5,7 @@ use std::fmt::{Display, Write};
 use bouncelab::Diagnostic;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Source, StrongestBand};
 use bouncelab::diagnostic::Code;
-use bouncelab::setup::Setup;
+use bouncelab::settings::Setup;
 use bouncelab_report::messages::Value;
 use bouncelab_report::report::ended;
 use bouncelab_report::tables;

@@ -18,10 +18,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use crate::analyze;
 use crate::failure::Failure;
-use crate::physics::PhysicsArguments;
-use crate::priors::PriorArguments;
+use crate::settings::RecordingArguments;
 use crate::synth::wav;
 use crate::units;
 
@@ -62,23 +60,12 @@ pub(crate) struct Arguments {
     /// How to print the result; JSON is documented in docs/json.md
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Flights of the log-linear fit, as in 1..10, ..20 or 3..
-    #[arg(long, value_name = "A..B", value_parser = analyze::flight_range)]
-    flights: Option<(usize, usize)>,
-    /// Use this channel only, counted from 1 (default: the one with the clearest impacts)
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-    channel: Option<u16>,
     /// Print also the probability of each impact, the compared laws, the uncertainty budget and the
     /// priors
     #[arg(long)]
     details: bool,
-    /// Compare what the impact times of each drop say of each known ball
-    #[arg(long)]
-    which_ball: bool,
     #[command(flatten)]
-    physics: PhysicsArguments,
-    #[command(flatten)]
-    priors: PriorArguments,
+    recording: RecordingArguments,
 }
 
 const EXAMPLES: &str = "\

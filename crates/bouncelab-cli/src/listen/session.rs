@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use bouncelab::analysis::{Drop, Gap, Plan};
 use bouncelab::detection::Detection;
-use bouncelab::setup::Setup;
+use bouncelab::settings::Setup;
 use bouncelab::train::{Train, TrainSearch};
 use bouncelab::{Diagnostic, Options, Plain};
 
@@ -26,14 +26,11 @@ use crate::report::quoted;
 use crate::terminal::say;
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let priors = &arguments.priors;
-    let mut physics = analyze::physics(&arguments.physics, priors, arguments.flights)?;
-    physics.options.detection.channel = arguments.channel.map(usize::from);
-    physics.options.compares_balls = arguments.which_ball;
+    let setup = arguments.recording.resolve()?;
     let sound = Sound::open(arguments)?;
     let recording = sound.info();
     let saver = Saver::create(arguments, &recording, sound.sample_format())?;
-    let mut session = Session::new(arguments, physics, recording, saver.files().to_vec())?;
+    let mut session = Session::new(arguments, setup, recording, saver.files().to_vec())?;
     let recording = LiveRecording::start(sound, saver, Stop::on_request(), session.last_frame)?;
     session.begin();
     let heard = outlived(&recording, |event| session.take(event, &recording));
@@ -72,7 +69,7 @@ fn outlived(
 
 struct Session<'a> {
     arguments: &'a Arguments,
-    physics: Setup,
+    setup: Setup,
     recording: SoundInfo,
     /// Where the sound is saved, and whether that failed.
     files: Vec<PathBuf>,
@@ -97,12 +94,12 @@ struct Reported {
 impl<'a> Session<'a> {
     fn new(
         arguments: &'a Arguments,
-        physics: Setup,
+        setup: Setup,
         mut recording: SoundInfo,
         files: Vec<PathBuf>,
     ) -> Result<Self, Failure> {
         let rate_hz = recording.sample_rate_hz;
-        let detection = &physics.options.detection;
+        let detection = &setup.options.detection;
         let watch = Watch::new(rate_hz, recording.channels, detection)?;
         if let (None, Some(file)) = (&arguments.from, files.first()) {
             recording.name = String::from(Plain::path(file));
@@ -116,12 +113,12 @@ impl<'a> Session<'a> {
             is_incomplete: false,
             watch,
             lost_frames: 0,
-            screen: Screen::new(&physics.options),
+            screen: Screen::new(&setup.options),
             frames: 0,
             last_frame,
             drops: Vec::new(),
             sameness: Sameness::default(),
-            physics,
+            setup,
             recording,
         })
     }
@@ -169,7 +166,7 @@ impl<'a> Session<'a> {
         match event {
             Event::Sound(planes, gaps) => {
                 if let Some(gaps) = gaps {
-                    self.physics.options.edits.gaps = gaps;
+                    self.setup.options.edits.gaps = gaps;
                 }
                 self.read(&planes)?;
             }
@@ -215,7 +212,7 @@ impl<'a> Session<'a> {
     }
 
     fn hear_piece(&mut self, channels: &[&[f32]]) -> Result<(), Failure> {
-        let used = match self.physics.options.detection.channel {
+        let used = match self.setup.options.detection.channel {
             Some(channel) => &channels[channel - 1..channel],
             None => channels,
         };
@@ -267,12 +264,12 @@ impl<'a> Session<'a> {
             duration_s: self.watch.drops.now_s() - start_s,
             certain,
         };
-        self.physics.options.edits.gaps.push(gap);
+        self.setup.options.edits.gaps.push(gap);
         Ok(())
     }
 
     fn gaps(&self) -> &[Gap] {
-        &self.physics.options.edits.gaps
+        &self.setup.options.edits.gaps
     }
 
     /// Analyses a drop that is over, and prints it.
@@ -318,14 +315,14 @@ impl<'a> Session<'a> {
         let others = self.drops.iter().map(|reported| &reported.train);
         let others = others.filter(|other| !other.is_same_drop(train));
         let starts_s: Vec<f64> = others.map(Train::start_s).collect();
-        let options = &self.physics.options;
+        let options = &self.setup.options;
         options.for_drop(train.start_s(), &starts_s)
     }
 
     fn print(&self, analysed: &Analysed, number: usize) -> Result<(), Failure> {
         match self.arguments.format {
             Format::Text => {
-                let report = analyze::report(analysed, &self.physics, self.arguments.details);
+                let report = analyze::report(analysed, &self.setup, self.arguments.details);
                 let space = if number == 1 { "" } else { "\n" };
                 let heading = text_with("listen-heading", &[("number", number.into())]);
                 let page = format!("{space}── {heading} ──\n{report}");
@@ -336,7 +333,7 @@ impl<'a> Session<'a> {
     }
 
     fn json_line(&self, analysed: &Analysed) -> Result<String, Failure> {
-        let document = analyze::document(analysed, &self.physics);
+        let document = analyze::document(analysed, &self.setup);
         let line = serde_json::to_string(&document).map_err(std::io::Error::from)?;
         Ok(format!("{line}\n"))
     }
@@ -464,14 +461,14 @@ impl<'a> Session<'a> {
     fn report_release(&self) {
         let starts = self.drops.iter().map(|reported| reported.train.start_s());
         let starts_s: Vec<f64> = starts.collect();
-        if let Some(known) = self.physics.options.release_without_drop(&starts_s) {
+        if let Some(known) = self.setup.options.release_without_drop(&starts_s) {
             self.screen.say(&translator().diagnostic(&known));
         }
     }
 
     /// There was no drop: gives the reason.
     fn report_nothing(&self, whole: Detection, warnings: Vec<Diagnostic>) -> Result<(), Failure> {
-        let analysed = self.analysed(whole, warnings, &self.physics.options);
+        let analysed = self.analysed(whole, warnings, &self.setup.options);
         self.screen.say(&analysed.no_drop().unwrap_or_default());
         if self.arguments.format == Format::Json {
             self.screen.print_data(&self.json_line(&analysed)?)?;
@@ -541,14 +538,14 @@ mod tests {
     fn session_of(samples: &[f32], lost: Range<usize>, happens: Happening) -> Drop {
         let words = ["listen", "--no-save", "--no-inference", "--drag", "none"];
         let Only { arguments } = Only::parse_from(words);
-        let physics = analyze::physics(&arguments.physics, &arguments.priors, None).unwrap();
+        let setup = arguments.recording.resolve().unwrap();
         let recording = SoundInfo {
             name: "test".to_owned(),
             format: "test".to_owned(),
             sample_rate_hz: RATE_HZ,
             channels: 1,
         };
-        let mut session = Session::new(&arguments, physics, recording, Vec::new()).unwrap();
+        let mut session = Session::new(&arguments, setup, recording, Vec::new()).unwrap();
         session.read(&[samples[..lost.start].to_vec()]).unwrap();
         happens(&mut session).unwrap();
         session.read(&[samples[lost.end..].to_vec()]).unwrap();
@@ -604,10 +601,10 @@ mod tests {
             let lost = is_lost.then_some(Err(441));
             let script = [Ok(before.to_vec())].into_iter().chain(lost);
             let sound = Sound::script(RATE_HZ, script.chain([Ok(after.to_vec())]).collect());
-            let physics = analyze::physics(&arguments.physics, &arguments.priors, None).unwrap();
+            let setup = arguments.recording.resolve().unwrap();
             let saver = Saver::create(&arguments, &sound.info(), sound.sample_format()).unwrap();
             let files = saver.files().to_vec();
-            let mut session = Session::new(&arguments, physics, sound.info(), files).unwrap();
+            let mut session = Session::new(&arguments, setup, sound.info(), files).unwrap();
             let recording =
                 LiveRecording::start(sound, saver, Stop::on_request(), u64::MAX).unwrap();
             let heard = outlived(&recording, |event| session.take(event, &recording));

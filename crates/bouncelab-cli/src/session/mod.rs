@@ -25,9 +25,8 @@ use clap::{Args, ValueEnum};
 use crate::analyze::formulas;
 use crate::failure::Failure;
 use crate::language::{text as message, text_with, translator};
-use crate::physics::PhysicsArguments;
-use crate::priors::{PriorArguments, impact_speed};
 use crate::report::{OutputArguments, ReportFile, provenance, wrote_figure};
+use crate::settings::{SettingsArguments, impact_speed};
 use crate::terminal::{print, print_data, say};
 
 /// Analyse many recordings: means, scatter and differences of their drops
@@ -52,7 +51,7 @@ pub(crate) struct Arguments {
         value_name = "DIR",
         conflicts_with_all = [
             "inputs", "pattern", "notes", "allow_missing", "jobs", "memory", "time_limit",
-            "PhysicsArguments", "PriorArguments"
+            "PhysicsArguments", "InferenceArguments"
         ]
     )]
     from: Option<PathBuf>,
@@ -135,9 +134,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     outputs: OutputArguments,
     #[command(flatten)]
-    physics: PhysicsArguments,
-    #[command(flatten)]
-    priors: PriorArguments,
+    settings: SettingsArguments,
 }
 
 const EXAMPLES: &str = "\
@@ -168,10 +165,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let targets = Targets::new(arguments, &outputs)?;
         return targets.write(arguments, &batch.results(), None, None);
     }
-    let priors = &arguments.priors;
-    let settings = priors.complete(arguments.physics.settings());
-    arguments.physics.settle(settings.questions())?;
-    priors.resolve(&settings)?;
+    let settings = arguments.settings.settings()?;
+    arguments.settings.resolve(&settings)?;
     let mut session = Session::gather(&Sources {
         inputs: arguments.inputs.clone(),
         pattern: arguments.pattern.clone(),
@@ -183,11 +178,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let remark = session.unmatched_names.remark(translator());
     let recordings = MetadataOptions {
         settings: &settings,
-        resolve: &|settings| {
-            let setup = priors.resolve(settings);
-            setup.map_err(|failure| failure.to_string())
-        },
-        allow_implausible: arguments.physics.allow_implausible(),
+        allow_implausible: arguments.settings.allow_implausible(),
         allow_missing: arguments.allow_missing,
         translator: translator(),
         advice: Advice {

@@ -7,20 +7,19 @@ use std::path::PathBuf;
 
 use bouncelab::Plain;
 use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule};
-use bouncelab::setup::Setup;
+use bouncelab::settings::{Settings, Setup};
 use bouncelab_report::document::verdict::{Evaluation, VerdictDocument};
 use bouncelab_report::report::Provenance;
 use bouncelab_report::report::verdict::of_verdict;
 use bouncelab_session::hash::hash_of_file;
 use clap::{Args, ValueEnum};
 
-use crate::analyze::{self, Analysed, read};
+use crate::analyze::{Analysed, read};
 use crate::failure::Failure;
 use crate::language::translator;
-use crate::physics::PhysicsArguments;
-use crate::priors::PriorArguments;
 use crate::report::{OutputArguments, ReportFile, provenance};
 use crate::rules::Files;
+use crate::settings::SettingsArguments;
 use crate::terminal::{print, print_json};
 use crate::units;
 
@@ -58,9 +57,7 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     outputs: OutputArguments,
     #[command(flatten)]
-    physics: PhysicsArguments,
-    #[command(flatten)]
-    priors: PriorArguments,
+    settings: SettingsArguments,
 }
 
 const EXAMPLES: &str = "\
@@ -93,11 +90,11 @@ struct Surface {
 }
 
 impl Surface {
-    fn new(files: &[PathBuf], physics: &Setup) -> Result<Self, Failure> {
+    fn new(files: &[PathBuf], setup: &Setup) -> Result<Self, Failure> {
         let recordings = files
             .iter()
             .map(|file| {
-                let analysed = read(file, &physics.options, false)?;
+                let analysed = read(file, &setup.options, false)?;
                 match analysed.no_drop() {
                     Some(reason) => Err(Failure::Input(reason)),
                     None => Ok(analysed),
@@ -139,7 +136,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             ));
         }
     };
-    let physics = physics(arguments, rule)?;
+    let settings = arguments.settings.settings()?;
+    let setup = setup(arguments, &settings, rule)?;
     if !rule.needs_reference() && !arguments.reference.is_empty() {
         return Err(Failure::Usage(format!(
             "the rule {} compares with no other surface; omit --reference",
@@ -156,12 +154,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .as_deref()
         .map(|path| ReportFile::new(path, &outputs))
         .transpose()?;
-    let surface = Surface::new(&arguments.files, &physics)?;
-    let reference = Surface::new(&arguments.reference, &physics)?;
-    let conditions = arguments.physics.conditions();
+    let surface = Surface::new(&arguments.files, &setup)?;
+    let reference = Surface::new(&arguments.reference, &setup)?;
+    let conditions = rulebook::Conditions {
+        temperature_k: settings.air.temperature_k,
+        altitude_m: settings.gravity.altitude_m,
+    };
     let verdict = rulebook::judge(
         rule,
-        &physics.options,
+        &setup.options,
         &conditions,
         &surface.places(),
         &reference.places(),
@@ -174,7 +175,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         decision,
         files: &files,
         reference_files: &reference_files,
-        setup: &physics,
+        setup: &setup,
     };
     if let Some(file) = report_file {
         let provenance = Provenance {
@@ -221,9 +222,13 @@ fn once_each<'a>(
     Ok(hashes)
 }
 
-/// The physics of the arguments, with the ball and the height of the rule where they state none.
-fn physics(arguments: &Arguments, rule: &Rule) -> Result<Setup, Failure> {
-    let (of_ball, unstated) = arguments.physics.clone().or_ball(rule.ball.as_deref());
+/// The options of the settings, with the ball and the height of the rule where they state none.
+fn setup(arguments: &Arguments, settings: &Settings, rule: &Rule) -> Result<Setup, Failure> {
+    let mut settings = settings.clone();
+    let unstated = settings.ball.kind.is_none() && settings.ball.mass_kg.is_none();
+    if unstated {
+        settings.ball.kind.clone_from(&rule.ball);
+    }
     if unstated && rule.ball.is_none() {
         return Err(Failure::Usage(format!(
             "the rule {} names no known ball: state it with --ball, or with --mass and \
@@ -231,21 +236,21 @@ fn physics(arguments: &Arguments, rule: &Rule) -> Result<Setup, Failure> {
             rule.name
         )));
     }
-    let mut physics = analyze::physics(&of_ball, &arguments.priors, None)?;
-    if physics.options.inference.is_none() {
+    let mut setup = arguments.settings.resolve(&settings)?;
+    if setup.options.inference.is_none() {
         return Err(Failure::Usage(
             "a verdict needs the inference; omit --no-inference".to_owned(),
         ));
     }
-    let of_rule = rule.fall_m(physics.options.ball.diameter_m(), None);
-    let stated = physics.options.priors.drop_height_m;
+    let of_rule = rule.fall_m(setup.options.ball.diameter_m(), None);
+    let stated = setup.options.priors.drop_height_m;
     if let (Some(stated), Some(of_rule)) = (stated, of_rule)
-        && !arguments.physics.allow_implausible()
+        && !arguments.settings.allow_implausible()
     {
         check_height(stated.value, of_rule)?;
     }
-    physics.assume(rule, unstated);
-    Ok(physics)
+    setup.assume(rule, unstated);
+    Ok(setup)
 }
 
 /// A height far from that of the rule is probably in another unit.

@@ -72,7 +72,7 @@ if TYPE_CHECKING:
     )
     from bouncelab._recording import Draws, Drop, Drops, Recording
     from bouncelab._session import Study, session
-    from bouncelab._settings import Air, Ball, Options, PhysicsSettings
+    from bouncelab._settings import Air, Ball, Options, PhysicsOptions
     from bouncelab._simulation import Simulation, Sound, simulate, synthesize
     from bouncelab._table import Column, Table
     from bouncelab._verdict import Rule, Verdict, rules, verdict
@@ -97,7 +97,7 @@ _PLACES = {
     ),
     "_recording": "Draws Drop Drops Recording",
     "_session": "Study session",
-    "_settings": "Air Ball Options PhysicsSettings",
+    "_settings": "Air Ball Options PhysicsOptions",
     "_simulation": "Simulation Sound simulate synthesize",
     "_table": "Column Table",
     "_verdict": "Rule Verdict rules verdict",
@@ -132,7 +132,7 @@ __all__ = [
     "OutputError",
     "PerImpact",
     "PhysicsError",
-    "PhysicsSettings",
+    "PhysicsOptions",
     "Posterior",
     "Prediction",
     "PriorContraction",

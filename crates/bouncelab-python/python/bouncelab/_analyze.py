@@ -127,6 +127,10 @@ def analyze(
             Names of :func:`restitution_laws` to weigh; all if left out.
         infer : list of str
             What to leave to the data: gravity, drag, contact-time.
+        known : mapping of str to float
+            Relative standard uncertainties of inputs: mass, diameter, air-density, gravity, added-mass, drag,
+            contact-time, timing; scatter is the typical scatter of restitution, and slow-losses=0 lets
+            restitution follow its law until rest.
         flights : tuple of int
             First and last flight of the log-linear fit.
         at_speed_m_s : float

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Unpack, overload
 from bouncelab import _core
 from bouncelab._analyze import as_numbers
 from bouncelab._errors import InputError
-from bouncelab._settings import Air, Ball, PhysicsSettings, analyzer, number, text
+from bouncelab._settings import Air, Ball, PhysicsOptions, analyzer, number, text
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
@@ -316,7 +316,7 @@ def flights(
     *,
     flight_time_s: ArrayLike | None = None,
     apex_m: ArrayLike | None = None,
-    **settings: Unpack[PhysicsSettings],
+    **settings: Unpack[PhysicsOptions],
 ) -> Table:
     """Return flights of a ball from one impact to the next, by one quantity of each.
 
@@ -365,7 +365,7 @@ def flights(
     return Table(_core.flights(analyzer(**settings), name, as_numbers(name, values)))
 
 
-def falls(height_m: ArrayLike, **settings: Unpack[PhysicsSettings]) -> Table:
+def falls(height_m: ArrayLike, **settings: Unpack[PhysicsOptions]) -> Table:
     """Return falls of a ball from rest to the surface.
 
     Parameters
@@ -400,7 +400,7 @@ def falls(height_m: ArrayLike, **settings: Unpack[PhysicsSettings]) -> Table:
     return Table(_core.falls(analyzer(**settings), as_numbers("height_m", height_m)))
 
 
-def terminal_speed_m_s(**settings: Unpack[PhysicsSettings]) -> float:
+def terminal_speed_m_s(**settings: Unpack[PhysicsOptions]) -> float:
     """Return the speed at which the drag carries the weight.
 
     Parameters

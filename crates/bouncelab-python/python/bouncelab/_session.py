@@ -21,7 +21,7 @@ from bouncelab._data import JSON
 from bouncelab._errors import InputError
 from bouncelab._isolated import Isolated
 from bouncelab._report import Reported
-from bouncelab._settings import Options, count, flag, number, split, text
+from bouncelab._settings import OF_ONE_RECORDING, Options, count, flag, number, settings_of, text
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
@@ -162,9 +162,9 @@ def session(
     >>> study
     <bouncelab.Study: 4 drops in 2 groups>
     """
-    if not {"channel", "band_hz", "exclude_s", "include_s"}.isdisjoint(options):
+    if not OF_ONE_RECORDING.isdisjoint(options):
         raise InputError("channel, band_hz, exclude_s and include_s are of single recordings; use analyze")
-    settings, question = split(options)
+    settings = settings_of(options)
     report = None if progress is None else Bars(progress)
     with _csv(notes) as csv_of_notes:
         request = {
@@ -178,9 +178,8 @@ def session(
             "exclude": [text("exclude", name) for name in exclude],
             "allow_missing": flag("allow_missing", allow_missing),
             "allow_implausible": flag("allow_implausible", allow_implausible),
-            "inference": question["inference"],
         }
-        work = _Work(json.dumps(settings), json.dumps(request))
+        work = _Work(settings, json.dumps(request))
         several = os.cpu_count() or 1 if jobs is None else count("jobs", jobs)
         try:
             with ExitStack() as ends:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from numbers import Integral
-from typing import SupportsFloat, TypedDict, Unpack
+from typing import SupportsFloat, TypedDict, Unpack, get_type_hints
 
 from bouncelab import _core
 from bouncelab._errors import InputError
@@ -68,35 +68,93 @@ class Air:
     viscosity_pa_s: float
 
 
-class PhysicsSettings(TypedDict, total=False):
-    """What is known of ball, air and gravity: keyword arguments, which :func:`bouncelab.analyze` describes.
-
-    Examples
-    --------
-    >>> import bouncelab as bl
-    >>> known: bl.PhysicsSettings = {"ball": "tennis", "temperature_k": 288.15}
-    >>> len(bl.simulate(bounces=3, **known).bounces)
-    3
-    """
+class BallOptions(TypedDict, total=False):
+    """What is given of the ball."""
 
     ball: str | Ball | None
     mass_kg: float | None
     diameter_m: float | None
     contact_time_s: float | None
+
+
+class AirOptions(TypedDict, total=False):
+    """What is given of the air, and its forces on the ball."""
+
     air: Air | None
+    drag: str | None
     temperature_k: float | None
     pressure_pa: float | None
     relative_humidity: float | None
-    drag: str | None
     buoyancy: bool | None
     added_mass: bool | None
+
+
+class GravityOptions(TypedDict, total=False):
+    """What is given of gravity."""
+
     gravity_m_s2: float | None
     latitude_deg: float | None
     altitude_m: float | None
 
 
-class Options(PhysicsSettings, total=False):
-    """What is known and asked: keyword arguments, which :func:`bouncelab.analyze` describes.
+class DropOptions(TypedDict, total=False):
+    """What is given of the drop."""
+
+    height_m: float | None
+    height_sd_m: float | None
+    release_s: float | None
+    release_sd_s: float | None
+    first_detected: bool | None
+
+
+class DetectionOptions(TypedDict, total=False):
+    """Where in a recording to look for impacts."""
+
+    channel: int | None
+    band_hz: tuple[float, float] | None
+
+
+class EditOptions(TypedDict, total=False):
+    """Impacts excluded and included by hand."""
+
+    exclude_s: Iterable[float] | None
+    include_s: Iterable[float] | None
+
+
+class AnalysisOptions(TypedDict, total=False):
+    """What to compute besides the inference."""
+
+    flights: tuple[int, int] | None
+
+
+class InferenceOptions(TypedDict, total=False):
+    """The inference."""
+
+    restitution_laws: Iterable[str] | None
+    infer: Iterable[str] | None
+    known: Mapping[str, float] | None
+    at_speed_m_s: float | None
+    reach: Iterable[tuple[int, float]] | None
+    draws: int | None
+    seed: int | None
+
+
+class PhysicsOptions(BallOptions, AirOptions, GravityOptions, total=False):
+    """What is given of ball, air and gravity: keyword arguments, which :func:`bouncelab.analyze` describes.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> given: bl.PhysicsOptions = {"ball": "tennis", "temperature_k": 288.15}
+    >>> len(bl.simulate(bounces=3, **given).bounces)
+    3
+    """
+
+
+class Options(
+    PhysicsOptions, DropOptions, DetectionOptions, EditOptions, AnalysisOptions, InferenceOptions, total=False
+):
+    """What is given and asked: keyword arguments, which :func:`bouncelab.analyze` describes.
 
     Examples
     --------
@@ -106,84 +164,75 @@ class Options(PhysicsSettings, total=False):
     0.066
     """
 
-    height_m: float | None
-    height_sd_m: float | None
-    release_s: float | None
-    release_sd_s: float | None
-    first_detected: bool | None
-    restitution_laws: Iterable[str] | None
-    infer: Iterable[str] | None
-    flights: tuple[int, int] | None
-    at_speed_m_s: float | None
-    reach: Iterable[tuple[int, float]] | None
-    draws: int | None
-    seed: int
-    channel: int | None
-    band_hz: tuple[float, float] | None
-    exclude_s: Iterable[float]
-    include_s: Iterable[float]
+
+#: The options with their types, by their group in the settings of the science. Names and groups are those of
+#: `Settings` in Rust.
+GROUPS: dict[str, dict[str, object]] = {
+    "ball": get_type_hints(BallOptions),
+    "air": get_type_hints(AirOptions),
+    "gravity": get_type_hints(GravityOptions),
+    "drop": get_type_hints(DropOptions),
+    "detection": get_type_hints(DetectionOptions),
+    "edits": get_type_hints(EditOptions),
+    "analysis": get_type_hints(AnalysisOptions),
+    "inference": get_type_hints(InferenceOptions),
+}
+
+#: The options of single recordings, which those of many do not have.
+OF_ONE_RECORDING = GROUPS["detection"].keys() | GROUPS["edits"].keys()
 
 
 def analyzer(**options: Unpack[Options]) -> _core.Analyzer:
     """Resolve the options."""
-    settings, question = split(options)
-    return _core.Analyzer(json.dumps(settings), json.dumps(question))
+    return _core.Analyzer(settings_of(options))
 
 
-def split(options: Options) -> tuple[dict[str, object], dict[str, object]]:
-    """Check the options, and divide them into settings and what else is asked."""
-    known = PhysicsSettings.__annotations__ | Options.__annotations__
-    unknown = options.keys() - known.keys()
+def settings_of(options: Options) -> str:
+    """Check the options, and return them as the settings of the science, in JSON."""
+    types = {name: kind for group in GROUPS.values() for name, kind in group.items()}
+    unknown = options.keys() - types.keys()
     if unknown:
-        raise InputError(f"there is no option {min(unknown)!r}; known: {', '.join(known)}")
+        raise InputError(f"there is no option {min(unknown)!r}; known: {', '.join(types)}")
     given = {name: value for name, value in options.items() if value is not None}
-    question: dict[str, object] = {"inference": options.get("draws", 0) is not None}
-    settings = _of_ball_and_air(given)
-    for name, value in given.items():
-        into = question if name in ("channel", "band_hz", "exclude_s", "include_s") else settings
-        into[name] = _plain(name, value)
-    return settings, question
+    ball, air = _of_ball(given), _of_air(given)
+    plain = {name: _plain(name, types[name], value) for name, value in given.items()}
+    settings = {
+        group: {name: plain[name] for name in names if name in plain} for group, names in GROUPS.items()
+    }
+    settings["ball"] = ball | settings["ball"]
+    settings["air"] |= air
+    settings["inference"]["enabled"] = options.get("draws", 0) is not None
+    return json.dumps(settings)
 
 
-def _of_ball_and_air(given: dict[str, object]) -> dict[str, object]:
-    """Take ball and air out of the options, as settings."""
-    settings: dict[str, object] = {}
-    ball, air = given.pop("ball", None), given.pop("air", None)
-    if isinstance(ball, Ball):
-        known = any(ball.name == preset[0] for preset in _core.balls())
-        settings["ball"] = ball.name if known else None
-        settings |= {"mass_kg": ball.mass_kg, "diameter_m": ball.diameter_m} if not known else {}
-        given.setdefault("contact_time_s", ball.contact_time_s)
-    elif ball is not None:
-        settings["ball"] = text("ball", ball)
-    if isinstance(air, Air):
-        settings["air_density_kg_m3"] = air.density_kg_m3
-        settings["air_viscosity_pa_s"] = air.viscosity_pa_s
-    elif air is not None:
+def _of_ball(given: dict[str, object]) -> dict[str, object]:
+    """Take the ball out of the options, as settings."""
+    ball = given.pop("ball", None)
+    if ball is None:
+        return {}
+    if not isinstance(ball, Ball):
+        return {"kind": text("ball", ball)}
+    contact = {"contact_time_s": ball.contact_time_s}
+    if any(ball.name == preset[0] for preset in _core.balls()):
+        return {"kind": ball.name} | contact
+    return {"mass_kg": ball.mass_kg, "diameter_m": ball.diameter_m} | contact
+
+
+def _of_air(given: dict[str, object]) -> dict[str, object]:
+    """Take the air out of the options, as settings."""
+    air = given.pop("air", None)
+    if air is None:
+        return {}
+    if not isinstance(air, Air):
         raise InputError(f"air must be made by bouncelab.air(...), not of {_kind(air)}")
-    return settings
+    return {"density_kg_m3": air.density_kg_m3, "viscosity_pa_s": air.viscosity_pa_s}
 
 
-_TEXTS = ("drag",)
-_LISTS_OF_TEXTS = ("restitution_laws", "infer")
-_LISTS_OF_NUMBERS = ("exclude_s", "include_s", "band_hz")
-_FLAGS = ("buoyancy", "added_mass", "first_detected")
-_COUNTS = ("draws", "seed", "channel")
-
-
-def _plain(name: str, value: object) -> object:
-    """Return an option as plain data."""
-    if name in _TEXTS:
-        return text(name, value)
-    if name in _FLAGS:
-        return flag(name, value)
-    if name in _COUNTS:
-        return count(name, value)
-    if name in _LISTS_OF_TEXTS:
-        return [text(name, each) for each in _listed(name, value)]
-    if name in _LISTS_OF_NUMBERS:
+def _plain(name: str, kind: object, value: object) -> object:
+    """Return an option as plain data, by its type."""
+    if name == "band_hz":
         numbers = [number(name, each) for each in _listed(name, value)]
-        if name == "band_hz" and not (len(numbers) == 2 and numbers[0] < numbers[1]):
+        if not (len(numbers) == 2 and numbers[0] < numbers[1]):
             raise InputError("band_hz must be two frequencies in Hz, the lower first, as in (400, 6000)")
         return numbers
     if name == "flights":
@@ -193,7 +242,11 @@ def _plain(name: str, value: object) -> object:
         return ends
     if name == "reach":
         return [_target(each) for each in _listed(name, value)]
-    return number(name, value)
+    if name == "known":
+        if not isinstance(value, Mapping):
+            raise InputError(f"known must be a mapping, not {_kind(value)}")
+        return {text("known", key): number(name, share) for key, share in value.items()}
+    return _READERS[kind](name, value)
 
 
 def _target(value: object) -> dict[str, float]:
@@ -245,3 +298,14 @@ def _listed(name: str, value: object) -> list[object]:
 
 def _kind(value: object) -> str:
     return type(value).__name__
+
+
+#: How an option of a type is read.
+_READERS: dict[object, Callable[[str, object], object]] = {
+    str | None: text,
+    bool | None: flag,
+    int | None: count,
+    float | None: number,
+    Iterable[str] | None: lambda name, value: [text(name, each) for each in _listed(name, value)],
+    Iterable[float] | None: lambda name, value: [number(name, each) for each in _listed(name, value)],
+}

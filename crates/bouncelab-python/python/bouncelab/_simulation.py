@@ -13,7 +13,7 @@ from bouncelab._analyze import as_numbers
 from bouncelab._data import JSON
 from bouncelab._figure import Figure, figure
 from bouncelab._report import Documented
-from bouncelab._settings import PhysicsSettings, analyzer, count, number, text
+from bouncelab._settings import PhysicsOptions, analyzer, count, number, text
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
@@ -214,7 +214,7 @@ def simulate(
     restitution: float | str = 0.935,
     until_m: float | None = None,
     bounces: int | None = None,
-    **settings: Unpack[PhysicsSettings],
+    **settings: Unpack[PhysicsOptions],
 ) -> Simulation:
     """Simulate a drop.
 
@@ -284,7 +284,7 @@ def synthesize(
     restitution: float | str = 0.935,
     until_m: float | None = None,
     bounces: int | None = None,
-    **settings: Unpack[PhysicsSettings],
+    **settings: Unpack[PhysicsOptions],
 ) -> Sound:
     """Synthesise the sound of a drop, whose truth is known.
 

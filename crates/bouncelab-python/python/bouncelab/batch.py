@@ -21,20 +21,20 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 from bouncelab import _core
 from bouncelab._errors import InputError
 from bouncelab._isolated import Outcome, child_process
-from bouncelab._settings import Options, flag, number, split, text
+from bouncelab._settings import OF_ONE_RECORDING, Options, flag, number, settings_of, text
 
 if TYPE_CHECKING:
     import pyarrow
 
     from bouncelab._data import JSON
 
-__all__ = ["MEAN", "Kernel", "Settings", "explode", "kernel", "manifest", "mean", "study"]
+__all__ = ["MEAN", "Kernel", "KernelOptions", "explode", "kernel", "manifest", "mean", "study"]
 
 #: So many rows are given at once: a megabyte or two.
 ROWS_AT_ONCE = 50
 
 
-class Settings(Options, total=False):
+class KernelOptions(Options, total=False):
     """What holds for all recordings: the options of :func:`bouncelab.analyze`, and these.
 
     pattern : str
@@ -129,14 +129,14 @@ class Kernel:
             yield row
 
 
-def kernel(settings: Settings | None = None, *, root: str | PathLike[str] = "", isolated: bool = False) -> Kernel:
+def kernel(settings: KernelOptions | None = None, *, root: str | PathLike[str] = "", isolated: bool = False) -> Kernel:
     """Return what analyses batches of recordings, the same way as :func:`bouncelab.session`.
 
     Its rows depend on the recordings and the settings alone: not on batches, order, engine or machines.
 
     Parameters
     ----------
-    settings : Settings, optional
+    settings : KernelOptions, optional
         What holds for all recordings; what is noted of one goes before.
     root : path
         Folder of the recordings: names are relative to it.
@@ -167,18 +167,17 @@ def kernel(settings: Settings | None = None, *, root: str | PathLike[str] = "", 
     given = dict(settings or {})
     pattern, limit_s = given.pop("pattern", None), given.pop("time_limit_s", None)
     implausible = flag("allow_implausible", given.pop("allow_implausible", False))
-    if not {"channel", "band_hz", "exclude_s", "include_s"}.isdisjoint(given):
+    if not OF_ONE_RECORDING.isdisjoint(given):
         raise InputError("channel, band_hz, exclude_s and include_s are of single recordings; use analyze")
-    stated, question = split(cast(Options, given))
+    stated = settings_of(cast(Options, given))
     options = {
-        "inference": question["inference"],
         "pattern": None if pattern is None else text("pattern", pattern),
         "allow_implausible": implausible,
     }
     longest = None if limit_s is None else number("time_limit_s", limit_s)
     if longest is not None and longest <= 0.0:
         raise InputError(f"time_limit_s is {longest:g}; it must be above 0")
-    return Kernel(json.dumps(stated), json.dumps(options), plain(fspath(root)), longest, isolated)
+    return Kernel(stated, json.dumps(options), plain(fspath(root)), longest, isolated)
 
 
 def manifest(

@@ -24,7 +24,7 @@ from bouncelab._settings import count
 if TYPE_CHECKING:
     from os import PathLike
 
-    from bouncelab.batch import Kernel, Settings
+    from bouncelab.batch import Kernel, KernelOptions
 
 #: Blocks that each processor is given, so that it need not wait for the next.
 BLOCKS_AHEAD = 2
@@ -34,7 +34,7 @@ def analyze(
     manifest: str | PathLike[str],
     output: str | PathLike[str],
     checkpoint: str | PathLike[str],
-    settings: Settings | None = None,
+    settings: KernelOptions | None = None,
     *,
     rows_per_block: int = 50,
     progress: Progress | None = None,
@@ -54,7 +54,7 @@ def analyze(
         kernel: other settings or another version of bouncelab need others.
     checkpoint : path
         Folder for the names of what was done.
-    settings : Settings, optional
+    settings : KernelOptions, optional
         As of :func:`bouncelab.batch.kernel`.
     rows_per_block : int
         At most so many recordings of each worker are analysed again after it was killed.

@@ -27,7 +27,7 @@ def analyze(
     source: str | PathLike[str],
     output: str | PathLike[str],
     checkpoint: str | PathLike[str],
-    settings: batch.Settings | None = None,
+    settings: batch.KernelOptions | None = None,
     *,
     notes: DataFrame | None = None,
     with_content: bool | None = None,
@@ -49,7 +49,7 @@ def analyze(
         source and one kernel: other settings, or another version of bouncelab, need others.
     checkpoint : path
         Folder in which Spark keeps what was done.
-    settings : Settings, optional
+    settings : KernelOptions, optional
         As of :func:`bouncelab.batch.kernel`.
     notes : DataFrame, optional
         What was noted: a column ``recording``, the path relative to the source, and others of text.

@@ -125,6 +125,7 @@ diagnostic-too-few-drops = Das braucht mindestens { $needed } Versuche, hier { $
    *[other] sind es { $drops }
   }.
 diagnostic-no-band = Kein Band liegt mindestens zur Hälfte { $range } Hz; bei dieser Abtastrate sind die Bänder { $bands } Hz.
+diagnostic-settings-contradict = { $first } und { $second } widersprechen einander; lass eines davon weg.
 diagnostic-not-in-order = { $what } Nummer { $number } liegt nicht über der Nummer davor; nummeriere der Reihe nach, jede einmal.
 diagnostic-no-channel = Einen Kanal { $channel } gibt es nicht: Die Aufnahme hat { $channels ->
     [one] nur einen

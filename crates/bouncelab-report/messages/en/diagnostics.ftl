@@ -128,6 +128,7 @@ diagnostic-too-few-drops = This needs { $needed } drops or more, and there { $dr
    *[other] are { $drops }
   }.
 diagnostic-no-band = No band lies { $range } Hz, at least by half; at this sample rate the bands are { $bands } Hz.
+diagnostic-settings-contradict = { $first } and { $second } contradict each other; leave out one.
 diagnostic-not-in-order = { $what } number { $number } is not above the number before it; number them in order, once each.
 diagnostic-no-channel = There is no channel { $channel }: the recording has { $channels ->
     [one] only one

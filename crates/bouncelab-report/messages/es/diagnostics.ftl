@@ -114,6 +114,7 @@ diagnostic-endless-drop = La pelota aún sube { $apex_m } después de { $bounces
 diagnostic-too-few-flights = Un ajuste log-lineal de los tiempos de vuelo necesita al menos 2 vuelos, y hay { $flights }; use una grabación con al menos 3 impactos, o un intervalo más amplio de vuelos.
 diagnostic-too-few-drops = Esto necesita al menos { $needed } ensayos, y hay { $drops }.
 diagnostic-no-band = Ninguna banda está al menos por mitad { $range } Hz; con esta frecuencia de muestreo, las bandas son { $bands } Hz.
+diagnostic-settings-contradict = { $first } y { $second } se contradicen; omita uno de los dos.
 diagnostic-not-in-order = { $what } número { $number }: este número no es mayor que el anterior; numere en orden, una vez cada uno.
 diagnostic-no-channel = No hay canal { $channel }: la grabación tiene { $channels ->
     [one] solo uno

@@ -3,7 +3,7 @@
 use bouncelab::rulebook::{
     self, Decision, InconclusiveReason, Limits, Outcome, Remark, Requirement, Rule,
 };
-use bouncelab::setup::Setup;
+use bouncelab::settings::Setup;
 use bouncelab::{Diagnostic, Estimate};
 use serde::Serialize;
 

@@ -2,7 +2,7 @@
 
 use bouncelab::analysis::Source;
 use bouncelab::inference::Measured;
-use bouncelab::setup::Setup;
+use bouncelab::settings::Setup;
 use bouncelab::{Diagnostic, Options};
 
 use super::input::ReportInput;

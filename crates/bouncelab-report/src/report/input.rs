@@ -1,6 +1,6 @@
 //! The input of a report.
 
-use bouncelab::setup::Setup;
+use bouncelab::settings::Setup;
 
 /// A recording, or a list of times, with its settings and result.
 #[derive(Debug, Clone, Copy)]

@@ -7,11 +7,11 @@
 //!
 //! ```
 //! use bouncelab::analyze_times;
-//! use bouncelab::setup::SetupInput;
+//! use bouncelab::settings::Settings;
 //! use bouncelab_report::messages::Translator;
 //! use bouncelab_report::report::{self, Provenance, ReportInput};
 //!
-//! let setup = SetupInput::default().resolve()?;
+//! let setup = Settings::default().without_inference().resolve()?;
 //! let result = analyze_times(&[0.0, 0.4605, 0.8877, 1.2854, 1.6568], &setup.options);
 //! let recording = ReportInput { name: "drop.txt", setup: &setup, result: &result };
 //! let page = report::of_recording(&recording, &Provenance::default(), &Translator::english());

@@ -1,12 +1,11 @@
 //! Analyses a recording as a row.
 
-use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use bouncelab::Plain;
-use bouncelab::setup::Settings;
+use bouncelab::settings::Settings;
 use bouncelab_report::messages::Translator;
 use serde::{Deserialize, Serialize};
 
@@ -24,8 +23,6 @@ use crate::recordings::{RecordingFile, Session};
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct KernelOptions {
-    /// Whether there is to be an inference.
-    pub inference: bool,
     /// The pattern for file names.
     pub pattern: Option<String>,
     /// Whether to accept notes that look like a mistake.
@@ -68,7 +65,7 @@ impl Kernel {
     ///
     /// ```
     /// use std::collections::BTreeMap;
-    /// use bouncelab::setup::Settings;
+    /// use bouncelab::settings::Settings;
     /// use bouncelab_session::batch::{Given, Kernel, KernelOptions};
     ///
     /// let options = KernelOptions { pattern: Some("{surface}_{}".to_owned()), ..KernelOptions::default() };
@@ -83,11 +80,9 @@ impl Kernel {
     /// # Ok::<(), bouncelab_session::Error>(())
     /// ```
     pub fn new(settings: Settings, options: KernelOptions) -> Result<Self> {
-        settings
-            .resolve(options.inference)
-            .map_err(|refusal| Error::Metadata {
-                problem: refusal.to_string(),
-            })?;
+        settings.resolve().map_err(|refusal| Error::Metadata {
+            problem: refusal.to_string(),
+        })?;
         Ok(Self {
             pattern: options.pattern.as_deref().map(Pattern::new).transpose()?,
             settings,
@@ -193,14 +188,8 @@ impl Kernel {
             name,
         };
         let session = Session::of_one(recording, self.pattern.clone(), notes.collect());
-        let stated = RefCell::new(Settings::default());
         let mut read = MetadataOptions {
             settings: &self.settings,
-            resolve: &|settings| {
-                stated.borrow_mut().clone_from(settings);
-                let setup = settings.resolve(self.options.inference);
-                setup.map_err(|refusal| refusal.to_string())
-            },
             allow_implausible: self.options.allow_implausible,
             allow_missing: true,
             translator: &Translator::english(),
@@ -216,8 +205,7 @@ impl Kernel {
         })?;
         let metadata = &recording.metadata;
         let known = Known {
-            settings: stated.take(),
-            inference: self.options.inference,
+            settings: metadata.settings.clone(),
             factors: metadata.factors.clone(),
             height_m: metadata.height_m,
             temperature_k: metadata.temperature_k,

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use bouncelab::Plain;
-use bouncelab::setup::Settings;
+use bouncelab::settings::Settings;
 use bouncelab_report::data_table::DataTable;
 use serde::{Deserialize, Serialize};
 
@@ -86,8 +86,6 @@ impl FailureCode {
 pub struct Known {
     /// The stated settings, for all recordings and for this one.
     pub settings: Settings,
-    /// Whether an inference is requested.
-    pub inference: bool,
     /// The factors by which its drops are compared.
     pub factors: BTreeMap<String, String>,
     /// The drop height as noted, m.
@@ -99,7 +97,8 @@ pub struct Known {
 impl Known {
     fn metadata(&self) -> bouncelab::Result<Metadata> {
         Ok(Metadata {
-            setup: self.settings.resolve(self.inference)?,
+            setup: self.settings.resolve()?,
+            settings: self.settings.clone(),
             factors: self
                 .factors
                 .iter()

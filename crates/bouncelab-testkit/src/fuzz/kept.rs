@@ -28,7 +28,7 @@ pub(super) fn read_link(bytes: &[u8]) {
     let again = drop.code().and_then(|code| LinkedDrop::of_code(&code));
     let again = again.expect("what came can be sent on");
     assert_eq!(again.times_s, drop.times_s);
-    if let Ok(setup) = drop.settings.resolve(false) {
+    if let Ok(setup) = drop.settings.without_inference().resolve() {
         let recording = analyze_times(&drop.times_s, &setup.options);
         serde_json::to_string(&recording).expect("a document");
     }

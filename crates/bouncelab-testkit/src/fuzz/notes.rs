@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Component, Path, PathBuf};
 
-use bouncelab::setup::Settings;
+use bouncelab::settings::Settings;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::rules;
 use bouncelab_session::hash::hash;
@@ -90,11 +90,7 @@ pub(super) fn gather(
         notes: table,
     })?;
     MetadataOptions {
-        settings: &Settings {
-            ball: Some("tennis".to_owned()),
-            ..Settings::default()
-        },
-        resolve: &|settings| settings.resolve(false).map_err(|fault| fault.to_string()),
+        settings: &Settings::of_ball("tennis").without_inference(),
         allow_implausible: true,
         allow_missing: true,
         translator: &Translator::english(),

@@ -160,6 +160,16 @@ pub enum Error {
     #[error("a share of a reference compares means: single drops have no share")]
     EachOfReference,
 
+    /// Two settings of which only one can hold.
+    #[error("{first} and {second} contradict each other; leave out one")]
+    #[non_exhaustive]
+    Contradiction {
+        /// One of them: "infer drag".
+        first: String,
+        /// The other.
+        second: String,
+    },
+
     /// Two flights carry the same number, or impacts are not in order.
     #[error(
         "{what} number {number} is not above the number before it; number them in order, once each"
@@ -298,6 +308,9 @@ impl Error {
                 .with("most", *most),
             Self::EachOfReference => Diagnostic::new(Code::EachOfReference),
             Self::CannotInfer(reason) => reason.diagnostic(),
+            Self::Contradiction { first, second } => Diagnostic::new(Code::SettingsContradict)
+                .with("first", Text(first.clone()))
+                .with("second", Text(second.clone())),
             Self::NotInOrder { what, number } => Diagnostic::new(Code::NotInOrder)
                 .with("what", *what)
                 .with("number", *number),
@@ -315,6 +328,14 @@ impl Error {
             quantity,
             value,
             allowed,
+        }
+    }
+
+    /// An [`Error::Contradiction`] of two settings.
+    pub(crate) fn contradiction(first: &str, second: &str) -> Self {
+        Self::Contradiction {
+            first: first.to_owned(),
+            second: second.to_owned(),
         }
     }
 

@@ -23,9 +23,9 @@ const MARKINGS: Readonly<Record<string, string>> = {
 /** The balls in a row, one tap each: the ball decides drag, so it is asked for where one looks first. */
 export function BallRow() {
   const balls = catalogue.value?.balls ?? [];
-  const { ball, mass_kg, diameter_m: own } = settings.value;
+  const { kind, mass_kg, diameter_m: own } = settings.value.ball ?? {};
   const isOwn = mass_kg !== undefined || own !== undefined;
-  const chosen = isOwn ? undefined : (ball ?? balls[0]?.name);
+  const chosen = isOwn ? undefined : (kind ?? balls[0]?.name);
   const largest = Math.max(...balls.map(({ diameter_m }) => diameter_m));
   return (
     <fieldset class="balls no-print">

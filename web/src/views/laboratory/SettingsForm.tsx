@@ -42,14 +42,15 @@ export function SettingsForm() {
 }
 
 function Ball() {
-  const { ball, mass_kg, diameter_m, contact_time_s } = settings.value;
+  const { kind, mass_kg, diameter_m, contact_time_s } = settings.value.ball ?? {};
   const balls = catalogue.value?.balls ?? [];
   const own = mass_kg !== undefined || diameter_m !== undefined;
-  const preset = balls.find(({ name }) => name === (ball ?? balls[0]?.name));
-  const known = preset ? [] : ball === undefined ? [] : [[ball, ball] as const];
+  const preset = balls.find(({ name }) => name === (kind ?? balls[0]?.name));
+  const known = preset || kind === undefined ? [] : [[kind, kind] as const];
   const choose = (name: string): void => {
     if (name === OWN) {
-      change({ ball: undefined, mass_kg: preset?.mass_kg, diameter_m: preset?.diameter_m });
+      const { mass_kg, diameter_m } = preset ?? {};
+      change('ball', { kind: undefined, mass_kg, diameter_m });
     } else chooseBall(name);
   };
   return (
@@ -57,7 +58,7 @@ function Ball() {
       <legend>{text('page-settings-ball')}</legend>
       <Choice
         label={text('page-settings-ball')}
-        value={own ? OWN : (ball ?? preset?.name ?? '')}
+        value={own ? OWN : (kind ?? preset?.name ?? '')}
         options={[
           ...balls.map(({ name }) => [name, ballName(name)] as const),
           ...known,
@@ -72,7 +73,7 @@ function Ball() {
             unit="g"
             value={scaled(mass_kg, 1e3)}
             min={1e-3}
-            onChange={(grams) => change({ mass_kg: scaled(grams, 1e-3) })}
+            onChange={(grams) => change('ball', { mass_kg: scaled(grams, 1e-3) })}
           />
           <NumberField
             label={text('page-settings-diameter')}
@@ -80,7 +81,7 @@ function Ball() {
             unit="mm"
             value={scaled(diameter_m, 1e3)}
             min={0.1}
-            onChange={(mm) => change({ diameter_m: scaled(mm, 1e-3) })}
+            onChange={(mm) => change('ball', { diameter_m: scaled(mm, 1e-3) })}
           />
         </>
       )}
@@ -91,14 +92,14 @@ function Ball() {
         value={scaled(contact_time_s, 1e3)}
         usual={scaled(preset?.contact_time_s, 1e3)}
         min={0}
-        onChange={(ms) => change({ contact_time_s: scaled(ms, 1e-3) })}
+        onChange={(ms) => change('ball', { contact_time_s: scaled(ms, 1e-3) })}
       />
     </fieldset>
   );
 }
 
 function Air() {
-  const { drag, temperature_k, pressure_pa, relative_humidity } = settings.value;
+  const { drag, temperature_k, pressure_pa, relative_humidity } = settings.value.air ?? {};
   const usual = catalogue.value?.usual_air;
   const laws = catalogue.value?.drag_laws ?? [];
   return (
@@ -113,7 +114,7 @@ function Air() {
           ['none', text('page-settings-drag-none')],
         ]}
         onChange={(law) =>
-          change({ drag: law === catalogue.value?.usual_drag_law ? undefined : law })
+          change('air', { drag: law === catalogue.value?.usual_drag_law ? undefined : law })
         }
       />
       <NumberField
@@ -125,7 +126,9 @@ function Air() {
         min={-60}
         max={60}
         onChange={(celsius) =>
-          change({ temperature_k: celsius === undefined ? undefined : celsius - ABSOLUTE_ZERO_C })
+          change('air', {
+            temperature_k: celsius === undefined ? undefined : celsius - ABSOLUTE_ZERO_C,
+          })
         }
       />
       <NumberField
@@ -135,7 +138,7 @@ function Air() {
         value={scaled(pressure_pa, 0.01)}
         usual={scaled(usual?.pressure_pa, 0.01)}
         min={0}
-        onChange={(hpa) => change({ pressure_pa: scaled(hpa, 100) })}
+        onChange={(hpa) => change('air', { pressure_pa: scaled(hpa, 100) })}
       />
       <NumberField
         label={text('page-settings-humidity')}
@@ -145,14 +148,14 @@ function Air() {
         usual={scaled(usual?.relative_humidity, 100)}
         min={0}
         max={100}
-        onChange={(percent) => change({ relative_humidity: scaled(percent, 0.01) })}
+        onChange={(percent) => change('air', { relative_humidity: scaled(percent, 0.01) })}
       />
     </fieldset>
   );
 }
 
 function Gravity() {
-  const { gravity_m_s2, latitude_deg, altitude_m } = settings.value;
+  const { gravity_m_s2, latitude_deg, altitude_m } = settings.value.gravity ?? {};
   return (
     <fieldset>
       <legend>{text('page-settings-gravity-field')}</legend>
@@ -164,7 +167,7 @@ function Gravity() {
         usual={catalogue.value?.standard_gravity_m_s2}
         min={0.01}
         onChange={(g) =>
-          change({ gravity_m_s2: g, latitude_deg: undefined, altitude_m: undefined })
+          change('gravity', { gravity_m_s2: g, latitude_deg: undefined, altitude_m: undefined })
         }
       />
       <NumberField
@@ -174,7 +177,7 @@ function Gravity() {
         min={-90}
         max={90}
         onChange={(degrees) =>
-          change({
+          change('gravity', {
             latitude_deg: degrees,
             gravity_m_s2: undefined,
             altitude_m: degrees === undefined ? undefined : altitude_m,
@@ -188,7 +191,7 @@ function Gravity() {
           unit="m"
           value={altitude_m}
           usual={0}
-          onChange={(metres) => change({ altitude_m: metres })}
+          onChange={(metres) => change('gravity', { altitude_m: metres })}
         />
       )}
     </fieldset>
@@ -196,11 +199,16 @@ function Gravity() {
 }
 
 function Measured() {
-  const { height_m, height_sd_m, restitution_laws, flights } = settings.value;
+  const { drop, inference, analysis } = settings.value;
+  const { height_m, height_sd_m } = drop ?? {};
+  const { restitution_laws } = inference ?? {};
+  const { flights } = analysis ?? {};
   const laws = catalogue.value?.restitution_laws ?? [];
   const [first, last] = flights ?? [1, undefined];
   const setFlights = (from: number, to: number | undefined): void =>
-    change({ flights: to === undefined ? undefined : [Math.round(from), Math.round(to)] });
+    change('analysis', {
+      flights: to === undefined ? undefined : [Math.round(from), Math.round(to)],
+    });
   return (
     <fieldset>
       <legend>{text('page-settings-measured')}</legend>
@@ -211,7 +219,7 @@ function Measured() {
         value={scaled(height_m, 100)}
         min={0.1}
         onChange={(cm) =>
-          change({
+          change('drop', {
             height_m: scaled(cm, 0.01),
             height_sd_m: cm === undefined ? undefined : height_sd_m,
           })
@@ -225,7 +233,7 @@ function Measured() {
           value={scaled(height_sd_m, 1e3)}
           usual={2}
           min={0.01}
-          onChange={(mm) => change({ height_sd_m: scaled(mm, 1e-3) })}
+          onChange={(mm) => change('drop', { height_sd_m: scaled(mm, 1e-3) })}
         />
       )}
       <Choice
@@ -235,7 +243,9 @@ function Measured() {
           ['', text('page-settings-restitution-any')],
           ...laws.map((law) => [law, nameIn(`restitution-law-${law}`, law)] as const),
         ]}
-        onChange={(law) => change({ restitution_laws: law === '' ? undefined : [law] })}
+        onChange={(law) =>
+          change('inference', { restitution_laws: law === '' ? undefined : [law] })
+        }
       />
       <div class="twins">
         <NumberField

@@ -36,21 +36,21 @@ export function SettingsLine() {
 const unlessStated = (stated: boolean): string => (stated ? '' : ` (${text('page-lab-assumed')})`);
 
 function ballInWords(): string {
-  const { ball, mass_kg, diameter_m } = settings.value;
+  const { kind, mass_kg, diameter_m } = settings.value.ball ?? {};
   if (mass_kg !== undefined && diameter_m !== undefined) {
     const mass = `${number(1e3 * mass_kg)} g`;
     return `${text('page-settings-ball')}: ${mass}, ${number(1e3 * diameter_m)} mm`;
   }
-  const name = ball ?? catalogue.value?.balls[0]?.name ?? '';
-  return `${text('page-settings-ball')}: ${ballName(name)}${unlessStated(ball !== undefined)}`;
+  const name = kind ?? catalogue.value?.balls[0]?.name ?? '';
+  return `${text('page-settings-ball')}: ${ballName(name)}${unlessStated(kind !== undefined)}`;
 }
 
 function airInWords(): string {
-  const { drag, temperature_k, pressure_pa, air_density_kg_m3 } = settings.value;
+  const { drag, temperature_k, pressure_pa, density_kg_m3 } = settings.value.air ?? {};
   if (drag === 'none') return text('page-settings-no-drag');
-  if (air_density_kg_m3 === 0) return text('page-settings-vacuum');
-  if (air_density_kg_m3 !== undefined)
-    return `${text('page-settings-air')}: ${number(air_density_kg_m3)} kg/m³`;
+  if (density_kg_m3 === 0) return text('page-settings-vacuum');
+  if (density_kg_m3 !== undefined)
+    return `${text('page-settings-air')}: ${number(density_kg_m3)} kg/m³`;
   const usual = catalogue.value?.usual_air;
   const temperature = (temperature_k ?? usual?.temperature_k ?? 293.15) - 273.15;
   const pressure = (pressure_pa ?? usual?.pressure_pa ?? 101325) / 100;
@@ -59,7 +59,7 @@ function airInWords(): string {
 }
 
 function gravityInWords(): string {
-  const { gravity_m_s2, latitude_deg } = settings.value;
+  const { gravity_m_s2, latitude_deg } = settings.value.gravity ?? {};
   if (latitude_deg !== undefined)
     return `${text('page-settings-latitude')} ${number(latitude_deg)}°`;
   const g = gravity_m_s2 ?? catalogue.value?.standard_gravity_m_s2 ?? 9.80665;

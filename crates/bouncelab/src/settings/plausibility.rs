@@ -1,10 +1,10 @@
-//! Finds stated values that look like wrong units.
+//! Finds given values that look like wrong units.
 //!
-//! What is out of the ordinary is questioned by a [`Diagnostic`], before anything is computed from it.
+//! A value outside the ordinary range is questioned by a [`Diagnostic`] before anything is computed from it.
 //!
 //! ```
 //! use bouncelab::diagnostic::Argument;
-//! use bouncelab::plausibility;
+//! use bouncelab::settings::plausibility;
 //!
 //! let question = plausibility::of_quantity("height", 30.5).unwrap();
 //! assert_eq!(question.number("meant"), Some(30.5));
@@ -12,33 +12,21 @@
 //! assert!(plausibility::of_quantity("height", 0.305).is_none());
 //! ```
 
+use std::ops::RangeInclusive;
+
+use super::{BallSettings, Settings, air, ball, drop, gravity};
 use crate::ball::Ball;
 use crate::diagnostic::{Code, Diagnostic};
 
 /// How a value is shown: `factor * value + offset` in this unit.
-struct Shown {
-    factor: f64,
-    offset: f64,
-    unit: &'static str,
+pub(super) struct Shown {
+    pub(super) factor: f64,
+    pub(super) offset: f64,
+    pub(super) unit: &'static str,
 }
 
-/// Another reading of a value: what it would be, as a factor, and how it would be written.
-struct Reading {
-    factor: f64,
-    written: f64,
-    unit: &'static str,
-}
-
-/// The value is the number, written with another unit.
-const fn number(factor: f64, unit: &'static str) -> Reading {
-    Reading {
-        factor,
-        written: 1.0,
-        unit,
-    }
-}
-
-const fn shown(unit: &'static str) -> Shown {
+/// The value as it is, in its SI unit.
+pub(super) const fn shown(unit: &'static str) -> Shown {
     Shown {
         factor: 1.0,
         offset: 0.0,
@@ -46,114 +34,64 @@ const fn shown(unit: &'static str) -> Shown {
     }
 }
 
-/// What is ordinary of a quantity, and what another unit would make of it.
-struct Ordinary {
-    quantity: &'static str,
-    low: f64,
-    high: f64,
-    shown: Shown,
-    readings: &'static [Reading],
+/// Another reading of a value: the factor that another unit makes of it, and how it would be written.
+pub(super) struct Reading {
+    pub(super) factor: f64,
+    pub(super) written: f64,
+    pub(super) unit: &'static str,
 }
 
-const ORDINARY: [Ordinary; 9] = [
-    Ordinary {
-        quantity: "height",
-        low: 0.01,
-        high: 10.0,
-        shown: shown("m"),
-        readings: &[
-            number(0.01, "cm"),
-            number(0.001, "mm"),
-            number(0.0254, "in"),
-        ],
-    },
-    Ordinary {
-        quantity: "height-sd",
-        low: 1e-5,
-        high: 0.1,
-        shown: shown("m"),
-        readings: &[number(0.01, "cm"), number(0.001, "mm")],
-    },
-    Ordinary {
-        quantity: "temperature",
-        low: 233.15,
-        high: 333.15,
-        shown: Shown {
-            factor: 1.0,
-            offset: -273.15,
-            unit: "°C",
-        },
-        // Handled by themselves: these scales do not begin at zero.
-        readings: &[],
-    },
-    Ordinary {
-        quantity: "pressure",
-        low: 3e4,
-        high: 1.2e5,
-        shown: shown("Pa"),
-        readings: &[
-            number(100.0, "hPa"),
-            number(1000.0, "kPa"),
-            Reading {
-                factor: 0.01,
-                written: 0.01,
-                unit: "Pa",
-            },
-            Reading {
-                factor: 10.0,
-                written: 0.01,
-                unit: "kPa",
-            },
-        ],
-    },
-    Ordinary {
-        quantity: "humidity",
-        low: 0.0,
-        high: 1.0,
-        shown: Shown {
-            factor: 100.0,
-            offset: 0.0,
-            unit: "%",
-        },
-        readings: &[number(0.01, "%")],
-    },
-    Ordinary {
-        quantity: "contact-time",
-        low: 0.0,
-        high: 0.05,
-        shown: shown("s"),
-        readings: &[number(1e-3, "ms"), number(1e-6, "us")],
-    },
-    Ordinary {
-        quantity: "gravity",
-        // From a small moon to the largest planet.
-        low: 0.1,
-        high: 30.0,
-        shown: shown("m/s2"),
-        readings: &[number(0.01, "cm/s2")],
-    },
-    Ordinary {
-        quantity: "altitude",
-        low: -500.0,
-        high: 9000.0,
-        shown: shown("m"),
-        readings: &[number(0.3048, "ft")],
-    },
-    Ordinary {
-        quantity: "air-density",
-        low: 0.0,
-        high: 20.0,
-        shown: shown("kg/m3"),
-        readings: &[number(1e-3, "g/m3")],
-    },
-];
+/// The same number in another unit.
+pub(super) const fn reading(factor: f64, unit: &'static str) -> Reading {
+    Reading {
+        factor,
+        written: 1.0,
+        unit,
+    }
+}
+
+/// The ordinary range of a setting, and what another unit would make of it.
+pub(super) struct Ordinary {
+    pub(super) quantity: &'static str,
+    pub(super) given: fn(&Settings) -> Option<f64>,
+    pub(super) range: RangeInclusive<f64>,
+    pub(super) shown: Shown,
+    pub(super) readings: &'static [Reading],
+}
+
+/// All of them: each stands with its setting.
+fn ordinary() -> impl Iterator<Item = &'static Ordinary> {
+    [
+        ball::ORDINARY,
+        air::ORDINARY,
+        gravity::ORDINARY,
+        drop::ORDINARY,
+    ]
+    .into_iter()
+    .flatten()
+}
+
+/// A question for each setting that another unit would explain better.
+pub(super) fn of_settings(settings: &Settings) -> Vec<Diagnostic> {
+    let BallSettings {
+        mass_kg,
+        diameter_m,
+        ..
+    } = settings.ball;
+    let ball = mass_kg.zip(diameter_m).and_then(|(mass_kg, diameter_m)| {
+        // Numbers that no ball has are refused later, by `Settings::resolve`.
+        of_ball(&Ball::new(mass_kg, diameter_m).ok()?)
+    });
+    let quantities = ordinary().filter_map(|it| it.question((it.given)(settings)?));
+    quantities.chain(ball).collect()
+}
 
 /// A question, if a value in SI units is out of the ordinary. Quantities are `height`, `height-sd`,
 /// `temperature`, `pressure`, `humidity`, `contact-time`, `gravity`, `altitude` and `air-density`; of
 /// any other nothing is asked.
 ///
 /// ```
-/// use bouncelab::plausibility::of_quantity;
+/// use bouncelab::settings::plausibility::of_quantity;
 ///
 /// assert_eq!(of_quantity("height", 0.305), None);
 /// // The height was in centimetres.
@@ -161,32 +99,39 @@ const ORDINARY: [Ordinary; 9] = [
 /// assert_eq!(question.number("meant"), Some(30.5));
 /// ```
 pub fn of_quantity(quantity: &str, value: f64) -> Option<Diagnostic> {
-    let ordinary = ORDINARY.iter().find(|known| known.quantity == quantity)?;
-    let fits = |value: f64| (ordinary.low..=ordinary.high).contains(&value);
-    if fits(value) {
-        return None;
+    ordinary()
+        .find(|known| known.quantity == quantity)?
+        .question(value)
+}
+
+impl Ordinary {
+    fn question(&self, value: f64) -> Option<Diagnostic> {
+        let fits = |value: f64| self.range.contains(&value);
+        if fits(value) {
+            return None;
+        }
+        let Shown {
+            factor,
+            offset,
+            unit,
+        } = self.shown;
+        let question = Diagnostic::new(Code::ImplausibleQuantity)
+            .with("quantity", self.quantity)
+            .with("value", significant(factor * value + offset))
+            .with("unit", unit);
+        let mut readings = self.readings.iter();
+        let meant = match readings.find(|reading| fits(value * reading.factor)) {
+            Some(reading) => Some((value * reading.written, reading.unit)),
+            None if self.quantity == "temperature" => other_scale(value, fits),
+            None => None,
+        };
+        Some(match meant {
+            Some((meant, unit)) => question
+                .with("meant", significant(meant))
+                .with("meant_unit", unit),
+            None => question,
+        })
     }
-    let Shown {
-        factor,
-        offset,
-        unit,
-    } = ordinary.shown;
-    let question = Diagnostic::new(Code::ImplausibleQuantity)
-        .with("quantity", quantity)
-        .with("value", significant(factor * value + offset))
-        .with("unit", unit);
-    let mut readings = ordinary.readings.iter();
-    let meant = match readings.find(|reading| fits(value * reading.factor)) {
-        Some(reading) => Some((value * reading.written, reading.unit)),
-        None if quantity == "temperature" => other_scale(value, fits),
-        None => None,
-    };
-    Some(match meant {
-        Some((meant, unit)) => question
-            .with("meant", significant(meant))
-            .with("meant_unit", unit),
-        None => question,
-    })
 }
 
 /// The same number of degrees Celsius on another scale, where that would be ordinary.
@@ -202,7 +147,7 @@ fn other_scale(kelvin: f64, fits: impl Fn(f64) -> bool) -> Option<(f64, &'static
 ///
 /// ```
 /// use bouncelab::ball::Ball;
-/// use bouncelab::plausibility::of_ball;
+/// use bouncelab::settings::plausibility::of_ball;
 ///
 /// assert_eq!(of_ball(&Ball::new(2.5e-3, 0.038)?), None);
 /// // The mass was in grams.
@@ -211,7 +156,7 @@ fn other_scale(kelvin: f64, fits: impl Fn(f64) -> bool) -> Option<(f64, &'static
 /// ```
 pub fn of_ball(ball: &Ball) -> Option<Diagnostic> {
     /// From a beach ball to tungsten, kg/m3.
-    const DENSITIES: std::ops::RangeInclusive<f64> = 3.0..=20_000.0;
+    const DENSITIES: RangeInclusive<f64> = 3.0..=20_000.0;
     let fits = |mass_kg: f64, diameter_m: f64| {
         let volume = Ball::new(1.0, diameter_m).map_or(f64::NAN, |ball| ball.volume_m3());
         DENSITIES.contains(&(mass_kg / volume))
