@@ -39,7 +39,7 @@ export async function answers(page: Page): Promise<{ kept: Answer; fell: Answer 
   await settled(page);
   const read = async (place: string): Promise<Answer> => {
     const words = ((await page.locator(place).first().textContent()) ?? '').replace(/\u2212/g, '-');
-    const found = /(\d[\d.]*) ± (\d[\d.]*)/.exec(words);
+    const found = /(\d[\d.]*)\s±\s(\d[\d.]*)/.exec(words);
     if (!found) throw new Error(`no number with its uncertainty in "${words}"`);
     return { value: Number(found[1]), sd: Number(found[2]) };
   };
