@@ -75,7 +75,8 @@ export function requestOf(asked: SimulationSetup): SimulationRequest {
       ...(where ? { gravity: { gravity_m_s2: where.gravity_m_s2 } } : {}),
     },
     height_m: heightM,
-    restitution: slope === 0 ? String(restitution) : `power:${restitution},${AT_SPEED_M_S},${slope}`,
+    restitution:
+      slope === 0 ? String(restitution) : `power:${restitution},${AT_SPEED_M_S},${slope}`,
   };
 }
 
