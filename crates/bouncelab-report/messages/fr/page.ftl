@@ -359,7 +359,7 @@ page-paper-five-height = h₀ ajustée
 page-paper-five-same = Les 26,7 cm de l’article ?
 page-paper-five-yes = oui
 page-paper-five-no = non
-page-paper-five-caption = Modèles dont l’ajustement log-linéaire donne e = 0,9375 ; les coudes sont à 1,5 m/s
+page-paper-five-caption = Modèles dont l’ajustement log-linéaire donne e = 0,9375 ; les coudes sont à 1,5 m/s
 
 page-paper-six-title = 6. Chaque nombre de l’article
 page-paper-six-lead = Tel qu’imprimé, et tel que calculé ici. Les coquilles des équations sont corrigées.

@@ -95,7 +95,7 @@ puzzle-solved = 26,7 de l’article ?
 puzzle-yes = oui
 puzzle-no = non
 puzzle-answer =
-    Chaque loi a été choisie pour que l’ajustement donne e = 0,9375 ; les coudes sont à 1,5 m/s. La traînée avec une
+    Chaque loi a été choisie pour que l’ajustement donne e = 0,9375 ; les coudes sont à 1,5 m/s. La traînée avec une
     restitution constante ne donne 26,7 cm qu’avec environ 21 vols dans l’ajustement ; avec
     dix vols, la restitution doit aussi décroître avec la vitesse. L’ajustement log-linéaire
     ne peut pas distinguer les deux, car son résultat dépend du nombre de vols.
