@@ -14,13 +14,13 @@ use crate::terminal::say;
 /// Why a command did not do what was asked.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
-    /// The arguments make no sense: exit status 2.
+    /// The arguments are not valid: exit status 2.
     #[error("{0}")]
     Usage(String),
-    /// The input cannot be read or holds nothing: exit status 1. Empty if all was said already.
+    /// The input cannot be read or holds nothing: exit status 1. Empty if the reason was printed already.
     #[error("{0}")]
     Input(String),
-    /// All was said, and it is no pass: this exit status.
+    /// A verdict was printed that is not a pass: this exit status.
     #[error("")]
     NoPass(u8),
     /// The result could not be printed: exit status 1.
@@ -29,7 +29,7 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
-    /// A file that the system does not let us write.
+    /// A file that cannot be written.
     pub(crate) fn unwritable(path: &Path, reason: &io::Error) -> Self {
         Self::Input(format!(
             "cannot write {}: {reason}{}",
@@ -38,9 +38,9 @@ impl Failure {
         ))
     }
 
-    /// Says why on stderr and gives the exit status.
+    /// Prints the reason on stderr and returns the exit status.
     pub(crate) fn report(&self) -> ExitCode {
-        // Who reads the result may have had enough of it (`| head`).
+        // The reader may have closed the pipe (`| head`).
         let unheard =
             matches!(self, Self::Output(reason) if reason.kind() == io::ErrorKind::BrokenPipe);
         let message = self.to_string();

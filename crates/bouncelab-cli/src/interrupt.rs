@@ -1,4 +1,4 @@
-//! Ctrl-C and the termination signals: nothing is left behind, and a recording ends in order.
+//! Ctrl-C and the termination signals: no unfinished file remains, and a recording ends in order.
 
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -7,14 +7,14 @@ use bouncelab_report::file::abandon_drafts;
 
 use crate::failure::Failure;
 
-/// Whether the first signal only asks.
+/// Whether the first signal only requests the end.
 static ONLY_ASKS: AtomicBool = AtomicBool::new(false);
-/// Whether a signal asked.
+/// Whether a signal requested the end.
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 
 /// From now on a signal removes unfinished files before it ends the program.
 pub(crate) fn watch() -> Result<(), Failure> {
-    /// What shells report of a program that ended by Ctrl-C.
+    /// The exit status that shells report for a program ended by Ctrl-C.
     const INTERRUPTED: i32 = 130;
     #[cfg(target_os = "linux")]
     hold_back()?;
@@ -43,7 +43,7 @@ fn hold_back() -> Result<(), Failure> {
         .map_err(|reason| Failure::Input(format!("cannot hold signals back: {reason}")))
 }
 
-/// Whether the program was told to go on when its terminal is closed, as by `nohup`.
+/// Whether the program is to continue when its terminal is closed, as by `nohup`.
 #[cfg(target_os = "linux")]
 fn hangup_is_ignored() -> bool {
     let Ok(status) = std::fs::read_to_string("/proc/self/status") else {
@@ -55,11 +55,11 @@ fn hangup_is_ignored() -> bool {
     ignored.is_some_and(|signals| signals & 1 != 0)
 }
 
-/// Whether somebody wants the program to end.
+/// Whether the program is to end.
 pub(crate) struct Stop(&'static AtomicBool);
 
 impl Stop {
-    /// From now on the first signal only asks; the second ends the program at once.
+    /// From now on the first signal only requests the end; the second ends the program at once.
     pub(crate) fn on_request() -> Self {
         ONLY_ASKS.store(true, Ordering::Relaxed);
         Self(&REQUESTED)

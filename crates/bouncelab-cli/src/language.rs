@@ -57,7 +57,7 @@ pub(crate) fn translated(reason: &bouncelab::Error) -> String {
     translator().diagnostic(&reason.diagnostic())
 }
 
-/// What cannot be told, and why.
+/// That a value cannot be determined, and why.
 pub(crate) fn cannot_tell(id: &str, reason: impl Display) -> String {
     let reason = ended(reason).into();
     let why = [("what", text(id).into()), ("reason", reason)];

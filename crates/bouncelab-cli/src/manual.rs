@@ -1,5 +1,4 @@
-//! `bouncelab completions` and `bouncelab manual`: what shells and `man` know of the program, made from its
-//! arguments.
+//! `bouncelab completions` and `bouncelab manual`: completions of shells and manual pages, made from the arguments.
 
 use std::path::{Path, PathBuf};
 
@@ -52,8 +51,8 @@ pub(crate) fn completions(arguments: &CompletionArguments) -> Result<(), Failure
     print_data(String::from_utf8_lossy(&script))
 }
 
-/// The command, and those of its own, with the names that their arguments know, which a shell then offers. A value that
-/// is not a name, as steel:10mm, can be typed all the same: completions check nothing.
+/// The command and its subcommands, with the known names of their arguments, which a shell then offers. Other values,
+/// such as steel:10mm, can be typed too: completions check nothing.
 fn with_names(command: Command) -> Command {
     command.mut_args(with_names_of).mut_subcommands(with_names)
 }
@@ -90,10 +89,10 @@ pub(crate) fn manual(arguments: &ManualArguments) -> Result<(), Failure> {
     pages(&command, folder, &arguments.outputs)
 }
 
-/// Writes the page of a command, and those of its own commands.
+/// Writes the page of a command, and those of its subcommands.
 fn pages(command: &Command, folder: &Path, outputs: &OutputArguments) -> Result<(), Failure> {
     let name = command.get_display_name().unwrap_or(command.get_name());
-    // A comment of the page tells it from what others wrote.
+    // A comment in the page distinguishes it from files of others.
     let mut page = format!("{MANUAL_LINE}\n").into_bytes();
     let man = Man::new(command.clone()).title(name.to_owned());
     man.render(&mut page)?;

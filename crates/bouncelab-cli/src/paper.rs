@@ -85,9 +85,9 @@ fn numbers(chapters: &[Chapter]) -> String {
 }
 
 fn table(facts: &[Fact]) -> Table {
-    let words = translator();
+    let translator = translator();
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("puzzle-quantity", Align::Left),
             ("puzzle-printed", Align::Right),
@@ -99,22 +99,22 @@ fn table(facts: &[Fact]) -> Table {
     );
     for fact in facts {
         table.row([
-            fact.quantity(words),
-            words.number(fact.printed.unwrap_or("-")),
-            words.number(&fact.shown()),
+            fact.quantity(translator),
+            translator.number(fact.printed.unwrap_or("-")),
+            translator.number(&fact.shown()),
             fact.unit.to_owned(),
-            fact.verdict().text(words),
-            fact.note(words).unwrap_or_default(),
+            fact.verdict().text(translator),
+            fact.note(translator).unwrap_or_default(),
         ]);
     }
     table
 }
 
-/// The puzzle and what would explain it.
+/// The puzzle and its possible explanations.
 fn puzzle(explanations: &[Explanation]) -> String {
-    let words = translator();
+    let translator = translator();
     let mut table = Table::with_headings(
-        words,
+        translator,
         [
             ("quantity-restitution", Align::Left),
             ("column-drag", Align::Left),
@@ -132,12 +132,12 @@ fn puzzle(explanations: &[Explanation]) -> String {
             "puzzle-no"
         };
         table.row([
-            restitution_law(explanation.restitution_law, words),
+            restitution_law(explanation.restitution_law, translator),
             text(&format!("paper-air-{}", explanation.drag)),
             explanation.flights.to_string(),
-            words.fixed(explanation.restitution_at_first, 4),
-            words.fixed(explanation.restitution_at_slow, 4),
-            words.fixed(explanation.drop_height_m * 100.0, 2),
+            translator.fixed(explanation.restitution_at_first, 4),
+            translator.fixed(explanation.restitution_at_slow, 4),
+            translator.fixed(explanation.drop_height_m * 100.0, 2),
             text(solved),
         ]);
     }

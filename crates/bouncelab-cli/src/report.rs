@@ -43,7 +43,7 @@ enum Form {
 }
 
 impl Form {
-    /// By what an earlier report is known.
+    /// The mark of an earlier report.
     const fn mark(self) -> Mark {
         match self {
             Self::Html => mark::HTML,
@@ -52,7 +52,7 @@ impl Form {
     }
 }
 
-/// A file for a report, known to be writable before any work is done.
+/// A file for a report, which is checked to be writable before any work is done.
 pub(crate) struct ReportFile<'a> {
     path: PathBuf,
     form: Form,
@@ -60,7 +60,7 @@ pub(crate) struct ReportFile<'a> {
 }
 
 impl<'a> ReportFile<'a> {
-    /// A report at a path whose ending says its form.
+    /// A report at a path whose ending determines its form.
     pub(crate) fn new(path: &Path, outputs: &'a Outputs) -> Result<Self, Failure> {
         let ending = path.extension().map(OsStr::to_ascii_lowercase);
         let form = match ending.as_ref().and_then(|ending| ending.to_str()) {
@@ -73,7 +73,7 @@ impl<'a> ReportFile<'a> {
                 )));
             }
         };
-        // Gone at once: who interrupts the work finds nothing lying about.
+        // Removed at once: an interrupted command leaves no file.
         let draft = outputs.draft(path, form.mark());
         drop(draft.map_err(|reason| Failure::unwritable(path, &reason))?);
         Ok(Self {
@@ -92,7 +92,7 @@ impl<'a> ReportFile<'a> {
         write(self.outputs, &self.path, self.form.mark(), text.as_bytes())
     }
 
-    /// The page as Markdown, with its figures in a folder beside it.
+    /// The page as Markdown, with its figures in a folder next to it.
     fn markdown(&self, page: &Page) -> Result<Markdown, Failure> {
         let stem = self.path.file_stem().unwrap_or_default().to_string_lossy();
         let name = format!("{stem}-figures");
@@ -110,7 +110,7 @@ impl<'a> ReportFile<'a> {
     }
 }
 
-/// Writes a file whole, and says so on stderr.
+/// Writes a file as a whole, and reports it on stderr.
 pub(crate) fn write(
     outputs: &Outputs,
     path: &Path,
@@ -123,13 +123,13 @@ pub(crate) fn write(
     Ok(())
 }
 
-/// Says on stderr that a file was written.
+/// Reports on stderr that a file was written.
 pub(crate) fn wrote(path: &Path) {
     let file = String::from(Plain::path(path));
     say(text_with("terminal-wrote", &[("file", file.into())]));
 }
 
-/// Says on stderr that a figure was written.
+/// Reports on stderr that a figure was written.
 pub(crate) fn wrote_figure(saved: &Saved) {
     let file = String::from(Plain::path(&saved.svg));
     say(text_with("terminal-wrote-figure", &[("file", file.into())]));

@@ -56,7 +56,7 @@ struct Page;
 /// also the ending of their names.
 const BROTLI: &str = "br";
 
-/// What every answer says besides: the page gets nothing from elsewhere and is shown nowhere else.
+/// Headers of every answer: the page loads nothing from elsewhere and is shown nowhere else.
 const HEADERS: [(&str, &str); 6] = [
     (
         "content-security-policy",
@@ -136,29 +136,33 @@ const LIMITS: Limits = Limits {
     patience: || Box::pin(sleep(Duration::from_secs(10))),
 };
 
-/// Answers whoever comes; returns only if it cannot go on.
+/// Answers clients; returns only on a failure.
 fn serve(listeners: Vec<TcpListener>, limits: &'static Limits) -> io::Result<()> {
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_all()
         .build()?;
     runtime.block_on(async {
-        let places = Arc::new(Semaphore::new(limits.clients));
+        let permits = Arc::new(Semaphore::new(limits.clients));
         let mut doors = JoinSet::new();
         for listener in listeners {
             listener.set_nonblocking(true)?;
             let listener = tokio::net::TcpListener::from_std(listener)?;
-            doors.spawn(admit(listener, Arc::clone(&places), limits));
+            doors.spawn(admit(listener, Arc::clone(&permits), limits));
         }
         doors.join_all().await;
         Ok(())
     })
 }
 
-/// Answers those who come here.
-async fn admit(listener: tokio::net::TcpListener, places: Arc<Semaphore>, limits: &'static Limits) {
+/// Answers the clients of one address.
+async fn admit(
+    listener: tokio::net::TcpListener,
+    permits: Arc<Semaphore>,
+    limits: &'static Limits,
+) {
     /// The system may have no more connections for now.
     const RETRY: Duration = Duration::from_millis(100);
-    while let Ok(place) = Arc::clone(&places).acquire_owned().await {
+    while let Ok(permit) = Arc::clone(&permits).acquire_owned().await {
         let Ok((stream, _)) = listener.accept().await else {
             sleep(RETRY).await;
             continue;
@@ -169,7 +173,7 @@ async fn admit(listener: tokio::net::TcpListener, places: Arc<Semaphore>, limits
                 .keep_alive(false)
                 .max_buf_size(limits.head)
                 .serve_connection(TokioIo::new(stream), service);
-            // Who has gone, or takes too long, needs no answer.
+            // A client that has gone, or takes too long, needs no answer.
             let (mut connection, mut patience) = (pin!(connection), (limits.patience)());
             poll_fn(|context| {
                 let is_over = connection.as_mut().poll(context).is_ready()
@@ -181,7 +185,7 @@ async fn admit(listener: tokio::net::TcpListener, places: Arc<Semaphore>, limits
                 }
             })
             .await;
-            drop(place);
+            drop(permit);
         });
     }
 }
@@ -195,20 +199,20 @@ fn answer(request: &Request<Incoming>) -> Response<Full<Bytes>> {
         method: request.method().clone(),
         path: path(request.uri().path()).to_owned(),
         host: header(HOST).unwrap_or_default(),
-        known: header(IF_NONE_MATCH),
+        cached: header(IF_NONE_MATCH),
         takes_brotli: header(ACCEPT_ENCODING).is_some_and(|all| names(&all, BROTLI)),
     };
     asked.answer()
 }
 
-/// What is asked of the server.
+/// A request.
 struct Asked {
     method: Method,
     /// Without a leading slash.
     path: String,
     host: String,
     /// The version that the browser has.
-    known: Option<String>,
+    cached: Option<String>,
     /// Whether the browser takes compressed files.
     takes_brotli: bool,
 }
@@ -241,8 +245,8 @@ impl Asked {
 
     fn file(&self, name: &str, file: &EmbeddedFile) -> Response<Full<Bytes>> {
         let version = version(file);
-        let is_known = self.known.as_deref() == Some(version.as_str());
-        let content = if is_known {
+        let is_current = self.cached.as_deref() == Some(version.as_str());
+        let content = if is_current {
             Vec::new()
         } else {
             file.data.to_vec()
@@ -253,7 +257,11 @@ impl Asked {
         } else {
             "no-cache"
         };
-        let mut answer = respond(if is_known { 304 } else { 200 }, media_type(name), content);
+        let mut answer = respond(
+            if is_current { 304 } else { 200 },
+            media_type(name),
+            content,
+        );
         set(&mut answer, "cache-control", keep);
         set(&mut answer, "vary", "accept-encoding");
         set(&mut answer, "etag", &version);
@@ -303,8 +311,8 @@ fn media_type(name: &str) -> &'static str {
     }
 }
 
-fn plain(status: u16, words: &str) -> Response<Full<Bytes>> {
-    respond(status, "text/plain; charset=utf-8", words.into())
+fn plain(status: u16, message: &str) -> Response<Full<Bytes>> {
+    respond(status, "text/plain; charset=utf-8", message.into())
 }
 
 fn respond(status: u16, media_type: &str, content: Vec<u8>) -> Response<Full<Bytes>> {
@@ -363,7 +371,7 @@ mod tests {
     }
 
     /// What comes back until the server closes the connection.
-    fn said(mut stream: TcpStream) -> String {
+    fn answer_of(mut stream: TcpStream) -> String {
         let mut answer = Vec::new();
         let _ = stream.read_to_end(&mut answer);
         String::from_utf8(answer).unwrap()
@@ -374,7 +382,7 @@ mod tests {
         for address in served(&FEW) {
             for host in ["localhost", "127.0.0.1", "[::1]"] {
                 let request = format!("GET /none HTTP/1.1\r\nHost: {host}:1\r\n\r\n");
-                let answer = said(sent(address, &request));
+                let answer = answer_of(sent(address, &request));
                 assert!(answer.starts_with("HTTP/1.1 404 "), "{address}: {answer}");
             }
         }
@@ -412,9 +420,9 @@ mod tests {
         let waiting = sent(address, "GET /none HTTP/1.1\r\nHost: localhost\r\n\r\n");
         OVER.add_permits(slow.len());
         for stream in slow {
-            assert_eq!(said(stream), "");
+            assert_eq!(answer_of(stream), "");
         }
-        let answer = said(waiting);
+        let answer = answer_of(waiting);
         assert!(answer.starts_with("HTTP/1.1 404 "), "{answer}");
     }
 
@@ -426,7 +434,7 @@ mod tests {
             format!("GET /none HTTP/1.1\r\nHost: localhost\r\nLong: {long}\r\n\r\n"),
             format!("GET /{long} HTTP/1.1\r\nHost: localhost\r\n\r\n"),
         ] {
-            let answer = said(sent(address, &request));
+            let answer = answer_of(sent(address, &request));
             let is_refused = answer.starts_with("HTTP/1.1 4") && !answer.contains(" 404 ");
             assert!(answer.is_empty() || is_refused, "{answer}");
         }
@@ -437,7 +445,7 @@ mod tests {
             method,
             path: path(url).to_owned(),
             host: host.to_owned(),
-            known: None,
+            cached: None,
             takes_brotli: false,
         }
     }
@@ -507,7 +515,7 @@ mod tests {
         };
         let mut asked = asked(Method::GET, "/?drop=1", "localhost:7878");
         assert_eq!(asked.answer().status().as_u16(), 200);
-        asked.known = Some(version(&file));
+        asked.cached = Some(version(&file));
         let answer = asked.answer();
         assert_eq!(answer.status().as_u16(), 304);
         assert_eq!(answer.body().size_hint().exact(), Some(0));

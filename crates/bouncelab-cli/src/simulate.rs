@@ -60,8 +60,8 @@ enum Format {
     Csv,
 }
 
-/// A table for people ends here.
-const MOST_ROWS: usize = 100;
+/// Maximum number of rows of a table for people.
+const MAX_ROWS: usize = 100;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let physics = arguments.physics.resolve(arguments.history.question())?;
@@ -98,7 +98,7 @@ fn report(runs: &[Run], physics: &Setup) -> String {
         parts.push(text_with("simulate-each-bounce", &law));
         parts.push(String::new());
         parts.push(bounces(run).to_string());
-        let hidden = run.history.bounces().len().saturating_sub(MOST_ROWS);
+        let hidden = run.history.bounces().len().saturating_sub(MAX_ROWS);
         if hidden > 0 {
             let hidden = [("count", hidden.into())];
             parts.push(text_with("terminal-all-shown", &hidden) + "\n");
@@ -112,17 +112,17 @@ fn report(runs: &[Run], physics: &Setup) -> String {
 
 /// The sums of each run, side by side.
 fn totals(runs: &[Run]) -> Table {
-    let words = translator();
+    let translator = translator();
     let mut columns = vec![(text("column-drag"), Align::Left)];
     columns.extend(
         runs.iter()
-            .map(|run| (tables::drag_law(run.law, words), Align::Right)),
+            .map(|run| (tables::drag_law(run.law, translator), Align::Right)),
     );
     let mut table = Table::new(columns);
     let mut row = |id: &str, value: &dyn Fn(&Run) -> String| {
         table.row(std::iter::once(text(id)).chain(runs.iter().map(value)));
     };
-    let shown = |value: f64, unit: Unit| Quantity::rounded(value, 4, unit).text(words);
+    let shown = |value: f64, unit: Unit| Quantity::rounded(value, 4, unit).text(translator);
     row("simulate-bounces", &|run| {
         run.history.bounces().len().to_string()
     });
@@ -155,7 +155,7 @@ fn totals(runs: &[Run]) -> Table {
 }
 
 fn bounces(run: &Run) -> Table {
-    let words = translator();
+    let translator = translator();
     let headings = [
         "simulate-bounce",
         "column-time",
@@ -166,17 +166,17 @@ fn bounces(run: &Run) -> Table {
         "simulate-to-surface",
         "simulate-to-air",
     ];
-    let mut table = Table::with_headings(words, headings.map(|id| (id, Align::Right)));
-    for (bounce, number) in run.history.bounces().iter().zip(1..=MOST_ROWS) {
+    let mut table = Table::with_headings(translator, headings.map(|id| (id, Align::Right)));
+    for (bounce, number) in run.history.bounces().iter().zip(1..=MAX_ROWS) {
         table.row([
             format!("{number}"),
-            words.fixed(bounce.time_s, 4),
-            words.fixed(bounce.impact_speed_m_s, 4),
-            words.fixed(bounce.restitution, 4),
-            words.fixed(bounce.flight.time_s(), 4),
-            words.fixed(bounce.flight.apex_m * 100.0, 3),
-            words.fixed(run.mass_kg * bounce.lost_to_surface_j_kg * 1e6, 1),
-            words.fixed(run.mass_kg * bounce.lost_to_air_j_kg * 1e6, 1),
+            translator.fixed(bounce.time_s, 4),
+            translator.fixed(bounce.impact_speed_m_s, 4),
+            translator.fixed(bounce.restitution, 4),
+            translator.fixed(bounce.flight.time_s(), 4),
+            translator.fixed(bounce.flight.apex_m * 100.0, 3),
+            translator.fixed(run.mass_kg * bounce.lost_to_surface_j_kg * 1e6, 1),
+            translator.fixed(run.mass_kg * bounce.lost_to_air_j_kg * 1e6, 1),
         ]);
     }
     table

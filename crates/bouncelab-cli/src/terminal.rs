@@ -1,7 +1,7 @@
-//! What the program prints: the one place that writes to stdout and stderr.
+//! Output: the only place that writes to stdout and stderr.
 //!
-//! `print!` and `eprintln!` panic when the reader has gone or the disk is full. Here a line for people
-//! that nobody takes is left out, and a result that nobody takes is a failure of the command.
+//! `print!` and `eprintln!` panic when the reader has gone or the disk is full. Here a message that cannot be written is
+//! left out, and a result that cannot be written is a failure of the command.
 
 use std::fmt::Display;
 use std::io::{self, BufWriter, Write};
@@ -11,13 +11,13 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 
-/// Says a line on stderr, if somebody is there.
+/// Prints a message on stderr, if it can be written.
 pub(crate) fn say(line: impl Display) {
     let line = Plain::lines(&line.to_string());
     let _ = writeln!(io::stderr().lock(), "{line}");
 }
 
-/// Prints a result for people on stdout; it is handed over when this returns.
+/// Prints a result for people on stdout, and flushes it.
 pub(crate) fn print(result: impl Display) -> Result<(), Failure> {
     print_data(Plain::lines(&result.to_string()))
 }

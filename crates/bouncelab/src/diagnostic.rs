@@ -1,8 +1,8 @@
 //! Warnings, assumptions and reasons, as data.
 //!
 //! Every warning, note, reason and question of the science is a [`Diagnostic`]: a stable [`Code`], a
-//! [`Severity`] and named arguments. Programs filter by the code; the words for people, in any
-//! language, are made elsewhere from the code and its arguments.
+//! [`Severity`] and named arguments. Programs filter by the code; messages in any language
+//! are made elsewhere from the code and its arguments.
 //!
 //! ```
 //! use bouncelab::diagnostic::{Code, Diagnostic, Severity};
@@ -16,15 +16,15 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// How much a diagnostic matters.
+/// The severity of a diagnostic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub enum Severity {
-    /// Good to know: an assumption, or what was done.
+    /// An assumption, or a note on the analysis.
     Info,
-    /// Something is odd: the result may be wrong, or less certain than it looks.
+    /// The result may be wrong, or less certain than it seems.
     Warning,
     /// Something could not be done.
     Error,
@@ -87,7 +87,7 @@ impl From<&[usize]> for Argument {
     }
 }
 
-/// Something to know about a result.
+/// A remark on a result.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -104,8 +104,7 @@ pub struct Diagnostic {
         ts(type = "{ readonly [name: string]: Argument }")
     )]
     pub arguments: BTreeMap<String, Argument>,
-    /// The sentence for people. The science leaves it out; whoever shows the result adds it, in the
-    /// language of the reader.
+    /// The message. The science leaves it out; the front end adds it in the language of the reader.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none")
@@ -199,7 +198,7 @@ codes! {
     TooManyTimes = "too-many-times", Error, ["count", "most"];
     /// Impacts are so far apart that the times are probably in milliseconds.
     TimesInMilliseconds = "times-in-milliseconds", Error, [];
-    /// So many impacts were excluded that no flight is left.
+    /// No flight is left after impacts were excluded.
     NothingLeft = "nothing-left", Error, [];
     /// A far fainter ball was detected and left out.
     DistantBall = "distant-ball", Info, ["start_s", "end_s", "impacts"];
@@ -225,13 +224,13 @@ codes! {
     FileTruncated = "file-truncated", Warning, ["read_s", "expected_s?"];
     /// Samples are not numbers and were replaced by zero.
     SamplesNotFinite = "samples-not-finite", Warning, ["samples", "first_s"];
-    /// Sound was lost, and silence of the same length stands in its place: times hold.
+    /// Sound was lost and replaced by silence of the same length: times hold.
     SoundMissing = "sound-missing", Warning, ["places", "first_s", "missing_s"];
-    /// Sound of unknown length was lost: times before and after do not belong together.
+    /// Sound of unknown length was lost: times before and after cannot be compared.
     ClockLost = "clock-lost", Warning, ["places", "first_s"];
     /// The sound is exactly zero for a while, and not elsewhere: it may have been lost or overwritten.
     SoundBlank = "sound-blank", Warning, ["places", "first_s", "blank_s"];
-    /// The decoded sound is not that of which the file has the checksum, and it is not known where in this stretch.
+    /// The decoded sound does not match the checksum of the file, somewhere in this interval.
     ChecksumWrong = "checksum-wrong", Warning, ["start_s", "end_s"];
     /// The rate or number of channels changes; the recording was read up to there.
     FormatChanges = "format-changes", Warning, ["at_s"];
@@ -247,7 +246,7 @@ codes! {
     ImpactGainsEnergy = "impact-gains-energy", Warning, ["count", "impacts"];
     /// The corrected restitution rises with the speed, as that of no real ball does.
     RestitutionRises = "restitution-rises", Warning, ["slow", "fast"];
-    /// Impacts are more likely something else.
+    /// Impacts are more likely other sounds.
     ImpactsDoubtful = "impacts-doubtful", Warning, ["count"];
     /// A flight lasts longer than the one before.
     FlightGrows = "flight-grows", Warning, ["flight"];
@@ -255,11 +254,11 @@ codes! {
     // Of the posterior.
     /// The sampling did not converge: the intervals cannot be trusted.
     SamplingNotConverged = "sampling-not-converged", Warning, ["pareto_shape", "greatest"];
-    /// So few impacts leave most to the priors.
+    /// The number of impacts is so small that the priors dominate.
     FewImpacts = "few-impacts", Warning, ["count"];
     /// A restitution law takes more impacts to be distinguished from a constant.
     LawNeedsImpacts = "law-needs-impacts", Info, ["law", "needed", "seen"];
-    /// Impacts are odd and count less.
+    /// Impacts are outliers and count less.
     ImpactsOdd = "impacts-odd", Warning, ["count", "impacts"];
     /// Restitution scatters far more than is assumed.
     ScatterExceedsPrior = "scatter-exceeds-prior", Warning, ["relative_sd", "assumed_relative_sd"];
@@ -271,9 +270,9 @@ codes! {
     HeightOfFirstDetected = "height-of-first-detected", Info, [];
     /// The data hardly constrain drag: the drag coefficient is that of the prior.
     DragFromPrior = "drag-from-prior", Info, [];
-    /// Drag and falling restitution cannot be told apart.
+    /// Drag and falling restitution cannot be distinguished.
     DragOrSlope = "drag-or-slope", Info, [];
-    /// No restitution law wins: the answer is an average.
+    /// No restitution law is clearly the best: the result is an average.
     NoLawWins = "no-law-wins", Info, [];
     /// Another ball explains the times much better than the one that was stated or assumed.
     OtherBallFitsBetter = "other-ball-fits-better", Warning, ["balls", "odds"];
@@ -293,13 +292,13 @@ codes! {
     FlightTooLong = "flight-too-long", Error, [];
     /// The ball would gain speed in most impacts.
     GainsSpeed = "gains-speed", Error, [];
-    /// The variances of groups cannot be told apart.
+    /// The variances of groups cannot be separated.
     VariancesConfounded = "variances-confounded", Error, [];
     /// The rule's height is far beyond the detected ones.
     HeightOutOfReach = "height-out-of-reach", Error, [];
 
     // Of input.
-    /// A number lies outside the values that make sense.
+    /// A number is outside its range.
     OutOfRange = "out-of-range", Error, ["quantity", "value", "unit?", "range", "low?", "high?"];
     /// A name is not in the list.
     UnknownName = "unknown-name", Error, ["kind", "name", "nearest", "known"];
@@ -325,7 +324,7 @@ codes! {
     TooManyDrops = "too-many-drops", Warning, ["drops", "most", "end_s"];
     /// There are more channels than can be analysed together.
     TooManyChannels = "too-many-channels", Error, ["channels", "most"];
-    /// A rule that judges each drop cannot compare with a reference.
+    /// A rule that evaluates each drop cannot compare with a reference.
     EachOfReference = "each-of-reference", Error, [];
     /// A quantity is implausible, and another unit may be meant.
     ImplausibleQuantity = "implausible-quantity", Warning, ["quantity", "value", "unit", "meant?", "meant_unit?"];

@@ -12,15 +12,15 @@ use rayon::prelude::*;
 use crate::failure::Failure;
 use crate::language::{text_with, translator};
 
-/// A file and what it says.
+/// A file and its result.
 pub(crate) struct Analysed {
     /// The name of the file as given.
     pub(crate) name: String,
-    /// What it says, with the sentences of all diagnostics.
+    /// Its result, with the sentences of all diagnostics.
     pub(crate) result: Recording,
 }
 
-/// Reads a file and analyses every drop in it; `quiet` shows no progress, because somebody else does.
+/// Reads a file and analyses every drop in it; `quiet` shows no progress, which the caller does.
 pub(crate) fn read(file: &Path, options: &Options, quiet: bool) -> Result<Analysed, Failure> {
     let name = String::from(Plain::path(file));
     let input = Input::open(file)?;
@@ -55,7 +55,7 @@ impl Analysed {
     }
 }
 
-/// Analyses drops, side by side unless somebody reads recordings side by side already.
+/// Analyses drops, in parallel unless the caller already reads recordings in parallel.
 fn run(plan: Plan, options: &Options) -> Recording {
     if rayon::current_thread_index().is_some() {
         return plan.run();
@@ -85,8 +85,7 @@ fn progress(duration_s: Option<f64>) -> ProgressBar {
     bar
 }
 
-/// A sign of life while so many impacts are inferred from that it takes seconds; it hides itself as
-/// the bar does.
+/// A spinner during an inference from many impacts, which takes seconds; it hides itself as the bar does.
 fn inferring(plan: &Plan, options: &Options) -> ProgressBar {
     /// About two milliseconds each.
     const MANY: usize = 1000;
@@ -101,5 +100,5 @@ fn inferring(plan: &Plan, options: &Options) -> ProgressBar {
     spinner
 }
 
-/// How often what shows progress moves.
+/// Interval of updates of the progress.
 const TICK: Duration = Duration::from_millis(200);

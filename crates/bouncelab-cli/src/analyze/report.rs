@@ -25,7 +25,7 @@ pub(super) struct ReportArguments {
 }
 
 impl ReportArguments {
-    /// Where the report of these recordings goes, if one is asked for.
+    /// Where the report of these recordings goes, if one is requested.
     pub(super) fn file<'a>(
         &self,
         recordings: &[PathBuf],

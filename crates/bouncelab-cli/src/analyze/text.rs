@@ -15,7 +15,7 @@ use super::answers;
 use super::read::Analysed;
 use crate::language::{text, text_with, translator};
 
-/// What a file says, in words and a table for each drop.
+/// The result of a file, as sentences and a table for each drop.
 pub(crate) fn report(analysed: &Analysed, physics: &Setup, details: bool) -> String {
     let mut page = String::new();
     line(&mut page, &headline(analysed));
@@ -47,18 +47,18 @@ pub(crate) fn report(analysed: &Analysed, physics: &Setup, details: bool) -> Str
             }
             line(&mut page, "");
         }
-        for known in &drop.diagnostics {
-            line(&mut page, &note(translator().diagnostic(known)));
+        for diagnostic in &drop.diagnostics {
+            line(&mut page, &note(translator().diagnostic(diagnostic)));
         }
     }
-    for known in &analysed.result.diagnostics {
-        line(&mut page, &note(translator().diagnostic(known)));
+    for diagnostic in &analysed.result.diagnostics {
+        line(&mut page, &note(translator().diagnostic(diagnostic)));
     }
     if let Some(drop) = analysed.result.drops.first()
         && physics
             .assumptions
             .iter()
-            .any(|known| known.code == Code::AssumedBall)
+            .any(|diagnostic| diagnostic.code == Code::AssumedBall)
     {
         line(&mut page, &ball_contrast(drop, physics));
     }
@@ -68,22 +68,22 @@ pub(crate) fn report(analysed: &Analysed, physics: &Setup, details: bool) -> Str
     page
 }
 
-/// Something to be careful with, as a line.
+/// A warning, as a line.
 pub(crate) fn note(remark: impl Display) -> String {
     let note = text_with("terminal-note", &[("text", ended(remark).into())]);
     format!("  {note}")
 }
 
-/// What was assumed, as a line.
+/// The assumptions, as a line.
 pub(crate) fn assumed(assumptions: &[Diagnostic]) -> String {
     let assumptions = assumptions
         .iter()
-        .map(|known| translator().diagnostic(known));
+        .map(|diagnostic| translator().diagnostic(diagnostic));
     let list = [("list", assumptions.collect::<Vec<_>>().join(" ").into())];
     format!("  {}", text_with("terminal-assumed", &list))
 }
 
-/// Which ball was assumed, since nobody stated one, and how the answers of a drop depend on it if it has any.
+/// The ball that was assumed, where none was stated, and how the results of a drop depend on it, if it has any.
 fn ball_contrast(drop: &Drop, physics: &Setup) -> String {
     let assumed = ("assumed", translator().ball(&physics.ball).into());
     let contrasts = physics.ball_contrasts(drop);
@@ -110,9 +110,9 @@ fn ball_contrast(drop: &Drop, physics: &Setup) -> String {
     note(text_with("terminal-ball-contrast", &[assumed, contrasts]))
 }
 
-fn line(page: &mut String, words: &str) {
+fn line(page: &mut String, content: &str) {
     // Writing to a String cannot fail.
-    let _ = writeln!(page, "{}", words.trim_end());
+    let _ = writeln!(page, "{}", content.trim_end());
 }
 
 fn indented(block: &str) -> String {
@@ -146,7 +146,7 @@ fn headline(analysed: &Analysed) -> String {
     }
 }
 
-/// What was chosen in listening.
+/// The choices of the detection.
 fn listening(analysed: &Analysed) -> Option<String> {
     let Source::Sound { onsets, .. } = &analysed.result.source else {
         return None;

@@ -1,7 +1,7 @@
-//! The sound as it is recorded: fetched and saved by a thread of its own.
+//! Records the sound: a thread fetches and saves it.
 //!
-//! Nothing but the disk can hold it up. What the analysis makes of the sound, how long it takes, whether
-//! it fails and whether anybody reads what it prints are of no effect on what is saved.
+//! Only the disk can delay this thread. Results, duration and failures of the analysis, and a closed terminal, do not
+//! affect what is saved.
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -18,20 +18,20 @@ use super::sound::{Arrival, Sound};
 use crate::failure::Failure;
 use crate::interrupt::Stop;
 
-/// So much sound may wait for the analysis, in bytes; of a stereo microphone three minutes.
-const WAITING: usize = 1 << 26;
-/// The most frames that come at once.
-const BLOCK: usize = 4096;
-/// A pause while nothing comes.
+/// Maximum size of the sound that waits for the analysis, in bytes: three minutes of a stereo microphone.
+const MAX_WAITING: usize = 1 << 26;
+/// Maximum number of frames of one event.
+const MAX_BLOCK: usize = 4096;
+/// Pause while no sound arrives.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// What happens to the sound.
+/// An event for the analysis.
 pub(super) enum Event {
-    /// Samples of every channel; of a file also all gaps so far.
+    /// Samples of every channel; for a file also all gaps so far.
     Sound(Vec<Vec<f32>>, Option<Vec<Gap>>),
-    /// So many frames are missing here, as far as is known.
+    /// The number of frames that are missing here, or 0 if it is not known.
     Lost(u64),
-    /// The analysis was so far behind that it misses so many frames, which are saved.
+    /// The number of frames that are saved, but that the analysis was too slow to receive.
     LeftOut(u64),
     /// Nothing yet.
     Nothing,
@@ -42,9 +42,9 @@ type Troubles = Arc<Mutex<Vec<String>>>;
 /// A recording in progress.
 pub(super) struct LiveRecording {
     events: Receiver<Event>,
-    /// Whether the analysis has heard enough.
+    /// Whether the analysis needs no more sound.
     enough: Arc<AtomicBool>,
-    /// What the person should know.
+    /// Messages for the user.
     troubles: Troubles,
     is_saved: bool,
     thread: JoinHandle<Ended>,
@@ -54,28 +54,28 @@ pub(super) struct LiveRecording {
 pub(super) struct Ended {
     /// The files.
     pub(super) files: Vec<PathBuf>,
-    /// What the person should know that was not said yet.
+    /// Messages for the user that were not shown yet.
     pub(super) troubles: Vec<String>,
     /// Whether saving failed, so that some of the sound was not saved.
     pub(super) is_incomplete: bool,
     /// Whether silence was saved for sound that was lost on its way.
     pub(super) lacks_sound: bool,
-    /// What was wrong with a file that was played.
+    /// Faults of a file that was played.
     pub(super) warnings: Vec<Diagnostic>,
-    /// Why it ended, if not because it was over.
+    /// The failure that ended it, if any.
     pub(super) result: Result<(), Failure>,
 }
 
 impl LiveRecording {
-    /// Starts to record so many frames at most.
+    /// Starts to record at most `last_frame` frames.
     pub(super) fn start(
         sound: Sound,
         saver: Saver,
         stop: Stop,
         last_frame: u64,
     ) -> Result<Self, Failure> {
-        let block = BLOCK * sound.info().channels * size_of::<f32>();
-        let (sender, events) = mpsc::sync_channel((WAITING / block).max(1));
+        let block = MAX_BLOCK * sound.info().channels * size_of::<f32>();
+        let (sender, events) = mpsc::sync_channel((MAX_WAITING / block).max(1));
         let enough = Arc::new(AtomicBool::new(false));
         let troubles = Troubles::default();
         let is_saved = !saver.files().is_empty();
@@ -105,7 +105,7 @@ impl LiveRecording {
         })
     }
 
-    /// What happens next; `None` at the end.
+    /// The next event; `None` at the end.
     pub(super) fn next(&self) -> Option<Event> {
         match self.events.recv_timeout(PAUSE) {
             Ok(event) => Some(event),
@@ -119,13 +119,13 @@ impl LiveRecording {
         self.is_saved
     }
 
-    /// What the person should know since the last call.
+    /// Messages for the user since the last call.
     pub(super) fn troubles(&self) -> Vec<String> {
         let mut troubles = self.troubles.lock().unwrap_or_else(PoisonError::into_inner);
         std::mem::take(&mut troubles)
     }
 
-    /// Ends it, because enough was heard.
+    /// Ends it: the analysis needs no more sound.
     pub(super) fn stop(&self) {
         self.enough.store(true, Ordering::Relaxed);
     }
@@ -149,7 +149,7 @@ impl LiveRecording {
     }
 }
 
-/// The way to the analysis.
+/// The channel to the analysis.
 struct Outlet {
     sender: SyncSender<Event>,
     /// Whether the sound can wait for the analysis.
@@ -159,8 +159,8 @@ struct Outlet {
 }
 
 impl Outlet {
-    /// Hands on an event that stands for so many frames. If the analysis is too far behind, it is left
-    /// out, and counted; once nobody listens any more, that does not matter either.
+    /// Sends an event that covers `frames` frames. If the queue of the analysis is full, the event is dropped and its
+    /// frames are counted. If the analysis has ended, the event is dropped.
     fn send(&mut self, event: Event, frames: u64) {
         if self.waits {
             let _ = self.sender.send(event);
@@ -181,7 +181,7 @@ impl Outlet {
     }
 }
 
-/// What the thread does.
+/// The work of the thread.
 struct Work {
     sound: Sound,
     saver: Saver,
@@ -256,7 +256,7 @@ impl Work {
         self.tell(trouble);
     }
 
-    /// Notes that sound was lost, for which so many frames of silence stand.
+    /// Notes that sound was lost, in place of which there are `silence` frames of silence.
     fn note_gap(&mut self, silence: usize, certain: bool) {
         let rate_hz = f64::from(self.sound.info().sample_rate_hz);
         self.saver.note_gap(Gap {
@@ -272,14 +272,14 @@ impl Work {
     }
 }
 
-/// How many frames of silence stand for lost sound, so that later times stay right.
+/// The number of frames of silence in place of lost sound, which keeps later times right.
 pub(super) fn silence_for(lost_frames: u64, sample_rate_hz: u32) -> usize {
-    /// No more than this: no drop goes on after it, in seconds.
-    const LONGEST_S: u64 = 10;
-    lost_frames.min(LONGEST_S * u64::from(sample_rate_hz)) as usize
+    /// Maximum silence, in seconds: no drop continues after it.
+    const MAX_S: u64 = 10;
+    lost_frames.min(MAX_S * u64::from(sample_rate_hz)) as usize
 }
 
-/// Whether so much silence is as long as the sound that was lost.
+/// Whether this silence is as long as the sound that was lost.
 pub(super) fn is_certain(silence: usize, lost_frames: u64) -> bool {
     silence as u64 == lost_frames && lost_frames > 0
 }
@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_analysis_has_no_time_for_is_counted_where_it_is_missing() {
+    fn frames_that_the_analysis_misses_are_counted_where_they_are_missing() {
         let (sender, events) = mpsc::sync_channel(2);
         let mut outlet = Outlet {
             sender,
@@ -303,15 +303,21 @@ mod tests {
         for frames in [1, 2, 4, 8] {
             outlet.send(sound(frames), frames as u64);
         }
-        let heard = || match events.try_recv() {
+        let received = || match events.try_recv() {
             Ok(Event::Sound(planes, _)) => (planes[0].len(), 0),
             Ok(Event::LeftOut(frames)) => (0, frames),
             _ => (0, 0),
         };
-        assert_eq!([heard(), heard(), heard()], [(1, 0), (2, 0), (0, 0)]);
+        assert_eq!(
+            [received(), received(), received()],
+            [(1, 0), (2, 0), (0, 0)]
+        );
         outlet.send(sound(16), 16);
-        assert_eq!([heard(), heard(), heard()], [(0, 12), (16, 0), (0, 0)]);
-        // Once nobody listens, nothing waits.
+        assert_eq!(
+            [received(), received(), received()],
+            [(0, 12), (16, 0), (0, 0)]
+        );
+        // Once the analysis has ended, nothing waits.
         drop(events);
         outlet.send(sound(32), 32);
     }

@@ -160,7 +160,7 @@ impl Saver {
     }
 }
 
-/// What of a gap comes after a time, from there on.
+/// The part of a gap after a time, counted from there.
 fn behind(gap: Gap, time_s: f64) -> Option<Gap> {
     let (start_s, end_s) = (gap.start_s - time_s, gap.start_s + gap.duration_s - time_s);
     (end_s >= 0.0).then(|| Gap {

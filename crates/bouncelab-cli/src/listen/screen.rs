@@ -19,7 +19,7 @@ pub(super) struct Screen {
     bar: ProgressBar,
     drawn: Option<Instant>,
     level: Level,
-    /// What is known of ball and air, without the inference, which takes too long.
+    /// The options without the inference, which takes too long.
     settings: Options,
 }
 
@@ -28,13 +28,13 @@ pub(super) struct Screen {
 struct Level {
     /// The largest sample since the last drawing.
     peak: f32,
-    /// What the meter shows, in dB relative to full scale.
+    /// Level that the meter shows, in dB relative to full scale.
     shown_db: f64,
     /// How long to go on warning of clipping.
     warn_until: Option<Instant>,
 }
 
-/// What goes on besides the drop.
+/// The state of the session besides the drop.
 pub(super) struct Status<'a> {
     /// How many drops are over.
     pub(super) drops: usize,
@@ -91,7 +91,7 @@ impl Screen {
         self.bar.set_message(lines.join("\n"));
     }
 
-    /// The drop that is going on.
+    /// The drop in progress.
     fn drop_lines(&self, going: &Going, number: usize) -> Vec<String> {
         /// Narrow enough for any terminal.
         const WIDTH: usize = 60;
@@ -99,14 +99,14 @@ impl Screen {
         let drop = analysis::analyze_impacts(impacts, &self.settings);
         let mut lines = Vec::new();
         if let (Some(impact), Some(flight)) = (drop.impacts.last(), drop.flights.last()) {
-            let found = [
+            let arguments = [
                 ("drop", number.into()),
                 ("impact", impact.number.into()),
                 ("time", Value::fixed(impact.time_s, 2)),
                 ("flight", Value::fixed(flight.flight_time_s * 1e3, 0)),
                 ("rests", if going.rests { "yes" } else { "no" }.into()),
             ];
-            lines.push(text_with("listen-impact", &found));
+            lines.push(text_with("listen-impact", &arguments));
         }
         if let Ok(line) = &drop.log_linear_fit {
             let restitution = Quantity::of(&line.restitution, Unit::Number);
@@ -131,9 +131,10 @@ impl Screen {
         lines
     }
 
-    /// Says something on stderr, above the lines.
-    pub(super) fn say(&self, words: &str) {
-        self.bar.suspend(|| say(format_args!("bouncelab: {words}")));
+    /// Prints a message on stderr, above the lines.
+    pub(super) fn say(&self, message: &str) {
+        self.bar
+            .suspend(|| say(format_args!("bouncelab: {message}")));
     }
 
     /// Prints a result on stdout, above the lines.

@@ -37,8 +37,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     session.conclude(heard, recording.ended())
 }
 
-/// Hands on what happens, until the sound ends or `take` has enough. A recording that is saved goes on
-/// though `take` fails or panics; then what comes is left to lie, and the failure told at the end.
+/// Passes events to `take` until the sound ends or `take` stops. If `take` fails or panics, a recording that is saved
+/// continues: later events are ignored, and the error is returned at the end.
 fn outlived(
     recording: &LiveRecording,
     mut take: impl FnMut(Event) -> Result<ControlFlow<()>, Failure>,

@@ -25,7 +25,7 @@ const LONGEST_S: f64 = 1.0;
 const ROWS: usize = 4;
 
 /// The flight times of a drop as bars on a logarithmic scale, on which those of a ball fall in a
-/// straight line; a flight that is not known leaves a gap. At most the last `width` flights.
+/// straight line; a flight that was not measured leaves a gap. At most the last `width` flights.
 ///
 /// Each flight is its number, from 1, and its time in seconds.
 pub(super) fn flights(flights: &[(usize, f64)], width: usize) -> Vec<String> {
@@ -53,7 +53,7 @@ pub(super) fn flights(flights: &[(usize, f64)], width: usize) -> Vec<String> {
         .collect()
 }
 
-/// The height of a bar in eighths of a row; a flight that is known shows in any case.
+/// The height of a bar in eighths of a row; a flight that was measured is always visible.
 fn height(time_s: f64) -> usize {
     let share = (time_s / SHORTEST_S).ln() / (LONGEST_S / SHORTEST_S).ln();
     ((share * (ROWS * 8) as f64).round() as usize).clamp(1, ROWS * 8)

@@ -14,9 +14,9 @@ use bouncelab_audio::{Input, SampleFormat, SoundReader, Warning};
 use super::Arguments;
 use crate::failure::Failure;
 
-/// What is known of a sound before it is analysed.
+/// Description of a sound before it is analysed.
 pub(super) struct SoundInfo {
-    /// What it is called in results.
+    /// Its name in results.
     pub(super) name: String,
     /// Its format, or the microphone.
     pub(super) format: String,
@@ -31,16 +31,16 @@ pub(super) enum Sound {
     File(Box<Player>),
     #[cfg(feature = "microphone")]
     Microphone(Box<Microphone>),
-    /// What comes in a test: samples, or how many were lost.
+    /// The arrivals of a test: samples, or how many were lost.
     #[cfg(test)]
     Script(u32, std::collections::VecDeque<Result<Vec<f32>, u64>>),
 }
 
-/// What came.
+/// An arrival.
 pub(super) enum Arrival {
     /// Samples.
     Sound,
-    /// So many frames were lost here, as far as is known.
+    /// The number of frames that were lost here, or 0 if it is not known.
     #[cfg_attr(
         not(any(feature = "microphone", test)),
         expect(dead_code, reason = "of a file nothing is lost")
@@ -87,7 +87,7 @@ impl Sound {
         Err(no_microphone())
     }
 
-    /// What is known of the sound before it is analysed.
+    /// Description of the sound before it is analysed.
     pub(super) fn info(&self) -> SoundInfo {
         match self {
             Self::File(player) => SoundInfo {
@@ -113,7 +113,7 @@ impl Sound {
         }
     }
 
-    /// The format of a WAV file that keeps all that the samples say.
+    /// The format of a WAV file that keeps the samples exactly.
     pub(super) fn sample_format(&self) -> SampleFormat {
         match self {
             Self::File(_) => SampleFormat::Float32,
@@ -124,7 +124,7 @@ impl Sound {
         }
     }
 
-    /// Takes what came next, without waiting longer than a moment; samples replace those in
+    /// Takes the next arrival, without waiting longer than a moment; samples replace those in
     /// `planes`, one plane for each channel.
     pub(super) fn next(&mut self, planes: &mut Vec<Vec<f32>>) -> Result<Arrival, Failure> {
         match self {
@@ -147,12 +147,12 @@ impl Sound {
         }
     }
 
-    /// Whether it comes at its own pace, and what is not taken in time is lost.
+    /// Whether it arrives in real time: samples that are not taken in time are lost.
     pub(super) fn is_live(&self) -> bool {
         !matches!(self, Self::File(_))
     }
 
-    /// Where a file lacks sound, as far as it was read; what a microphone lost has arrived as such.
+    /// Where a file lacks sound, as far as it was read; the losses of a microphone are arrivals.
     #[cfg_attr(
         not(any(feature = "microphone", test)),
         expect(clippy::unnecessary_wraps, reason = "a microphone has none")
@@ -167,7 +167,7 @@ impl Sound {
         }
     }
 
-    /// What was wrong with a file, once it has ended.
+    /// The faults of a file, once it has ended.
     pub(super) fn warnings(&self) -> Vec<Diagnostic> {
         match self {
             Self::File(player) => {
@@ -222,7 +222,7 @@ impl Player {
     }
 }
 
-/// How long so many frames go on to play: they have been played when the last of them has.
+/// How long `frames` frames play: until the last of them has been played.
 fn left_to_play(frames: u64, sample_rate_hz: u32, since_start: Duration) -> Duration {
     let lasts = Duration::from_secs_f64(frames as f64 / f64::from(sample_rate_hz));
     lasts.saturating_sub(since_start)

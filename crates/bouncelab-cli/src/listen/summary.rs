@@ -8,7 +8,7 @@ use bouncelab_report::{Align, Quantity, Table, Unit};
 
 use crate::language::{text, translator};
 
-/// The columns of numbers: heading, unit, and what of a drop stands in it.
+/// The columns of numbers: heading, unit, and value of a drop.
 const COLUMNS: [Column; 4] = [
     Column {
         heading: "listen-e-line",

@@ -1,4 +1,4 @@
-//! Which drops are going on, and which are over.
+//! Detects drops in progress, and drops that are over.
 
 use std::time::Instant;
 
@@ -7,29 +7,28 @@ use bouncelab::analysis::DetectionOptions;
 use bouncelab::detection::{Detector, DropWatch};
 use bouncelab::train::{Train, TrainImpact, latest_next_s};
 
-/// For the eyes sounds are judged as often as takes this share of the time.
+/// Share of the time that the evaluation of sounds for the display may take.
 const SHARE_FOR_EYES: f64 = 0.2;
 
-/// Listens, and tells of each drop: of those that are over, and of the one that goes on.
+/// Reports each drop that is over, and the one in progress.
 pub(super) struct Watch {
     pub(super) drops: DropWatch,
     glimpse: Glimpse,
 }
 
-/// What is shown of a drop that is going on. It changes nothing of what is told, so it may depend
-/// on how fast the computer is.
+/// The display of a drop in progress. It has no effect on results, so it may depend on the speed of the computer.
 #[derive(Default)]
 struct Glimpse {
     trains: Vec<Train>,
     onsets: usize,
-    /// Not sooner again than this.
+    /// The earliest time of the next evaluation.
     next: Option<Instant>,
 }
 
-/// A drop that is going on.
+/// A drop in progress.
 pub(super) struct Going<'a> {
     pub(super) impacts: &'a [TrainImpact],
-    /// Whether the ball rests, or was stopped: any further impact would have been heard.
+    /// Whether the ball rests, or was stopped: any further impact would have been detected.
     pub(super) rests: bool,
 }
 
@@ -45,7 +44,7 @@ impl Watch {
         })
     }
 
-    /// The drop that is going on, if there is one.
+    /// The drop in progress, if there is one.
     pub(super) fn going(&mut self) -> Option<Going<'_>> {
         self.glimpse.renew(self.drops.detector());
         let mut trains = self.glimpse.trains.iter();
@@ -58,7 +57,7 @@ impl Watch {
 }
 
 impl Glimpse {
-    /// Judges all sounds if there are new ones, unless that was done a moment ago.
+    /// Evaluates all sounds if there are new ones, unless that was done a moment ago.
     fn renew(&mut self, detector: &Detector) {
         let start = Instant::now();
         if detector.onsets() == self.onsets || self.next.is_some_and(|next| start < next) {
@@ -98,8 +97,7 @@ mod tests {
                 break;
             }
             let now_s = watch.drops.now_s();
-            // As if there had been time enough for the last look; how much there was depends on what
-            // else the computer does.
+            // As if there had been time for the last evaluation, which depends on the load of the computer.
             watch.glimpse.next = None;
             if let Some(going) = watch.going() {
                 counts.push(going.impacts.len());

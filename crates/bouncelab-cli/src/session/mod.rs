@@ -157,7 +157,7 @@ enum Format {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(from) = &arguments.from {
-        // Nothing is appended to it: it keeps other runs out of the folder.
+        // Only its lock is needed, which keeps other runs out of the folder.
         let _journal = Journal::open(&arguments.output)?;
         let batch = Batch::open(from)?;
         let outputs = arguments.outputs.outputs(batch.files());
@@ -233,7 +233,7 @@ impl<'a> Targets<'a> {
         })
     }
 
-    /// Studies results, and writes all that was asked for.
+    /// Studies results, and writes the requested output.
     fn write(
         self,
         arguments: &Arguments,
@@ -248,9 +248,9 @@ impl<'a> Targets<'a> {
         let written = write_tables(&outcome, results, folder, &arguments.forms(), outputs)?;
         let json =
             serde_json::to_string_pretty(&outcome.document()).map_err(io::Error::from)? + "\n";
-        let place = folder.join(DOCUMENT);
-        let kept = outputs.write(&place, DOCUMENT_MARK, json.as_bytes());
-        kept.map_err(|reason| Failure::unwritable(&place, &reason))?;
+        let file = folder.join(DOCUMENT);
+        let kept = outputs.write(&file, DOCUMENT_MARK, json.as_bytes());
+        kept.map_err(|reason| Failure::unwritable(&file, &reason))?;
         let charts = if arguments.figures || self.report.is_some() {
             figures(&outcome, results, translator())?
         } else {
@@ -317,7 +317,7 @@ impl Arguments {
         self.tables.iter().map(form).collect()
     }
 
-    /// Whether all that will be written may be: before the work, not after it.
+    /// Checks before the work that every output may be written.
     fn check(&self, outputs: &Outputs) -> Result<(), Failure> {
         let tables = self.tables.iter().flat_map(|form| {
             let tables = [TableKind::Drops, TableKind::Impacts];

@@ -12,7 +12,7 @@ use bouncelab_session::Outcome;
 use crate::analyze::note;
 use crate::language::{cannot_tell, text, text_with, translator};
 
-/// Lines of a list that may go on for long.
+/// Maximum number of lines of a list.
 const SHOWN: usize = 8;
 
 /// The whole report.
@@ -43,15 +43,15 @@ fn headline(about: &About) -> String {
 struct Page(String);
 
 impl Page {
-    fn line(&mut self, words: &str) {
+    fn line(&mut self, content: &str) {
         // Writing to a String cannot fail.
-        let _ = writeln!(self.0, "{}", words.trim_end());
+        let _ = writeln!(self.0, "{}", content.trim_end());
     }
 
     /// A line between empty ones.
-    fn heading(&mut self, words: &str) {
+    fn heading(&mut self, content: &str) {
         self.line("");
-        self.line(words);
+        self.line(content);
         self.line("");
     }
 
@@ -120,12 +120,12 @@ impl Page {
     fn differences(
         &mut self,
         groups: &GroupStudy,
-        place: usize,
+        index: usize,
         differences: &[Difference],
         details: bool,
     ) {
         const MOST: usize = 10;
-        let factor = &groups.factors[place];
+        let factor = &groups.factors[index];
         let others = groups.factors.iter().filter(|f| f.levels.len() > 1).count() > 1;
         let others = if others { "yes" } else { "no" };
         let by = [
@@ -140,7 +140,7 @@ impl Page {
         };
         self.table(&tables::difference_table(
             groups,
-            place,
+            index,
             &differences[..most],
             translator(),
         ));
@@ -164,7 +164,7 @@ impl Page {
             about.odd.clone()
         } else {
             let doubtful = outcome.doubtful.iter();
-            doubtful.map(|&place| about.odd[place].clone()).collect()
+            doubtful.map(|&index| about.odd[index].clone()).collect()
         };
         self.list("session-odd", &doubtful, details);
         for remark in &about.remarks {

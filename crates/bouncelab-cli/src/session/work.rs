@@ -27,11 +27,11 @@ pub(super) fn analyze_all(
     let bar = progress(recordings.len());
     let without_drop = AtomicUsize::new(0);
     let workers = Workers::default();
-    // What came of a recording, or how its process ended.
-    let analyze = |place: usize| -> Result<Result<Done, String>, Failure> {
-        let name = recordings[place].name().to_owned();
+    // The outcome of a recording, or how its process ended.
+    let analyze = |index: usize| -> Result<Result<Done, String>, Failure> {
+        let name = recordings[index].name().to_owned();
         let answer = |key| workers.record(&Request { name, key });
-        match complete(&recordings[place], journal, answer) {
+        match complete(&recordings[index], journal, answer) {
             Ok(done) => Ok(Ok(done)),
             Err(Trouble::OutOfTime) => {
                 let limit = [("seconds", time_limit_s.into())];
@@ -41,8 +41,8 @@ pub(super) fn analyze_all(
             Err(Trouble::Session(failure)) => Err(failure),
         }
     };
-    let one = |place: usize| {
-        let Ok(done) = analyze(place)? else {
+    let one = |index: usize| {
+        let Ok(done) = analyze(index)? else {
             return Ok(None);
         };
         let without = usize::from(done.without_drop);
@@ -55,10 +55,10 @@ pub(super) fn analyze_all(
     };
     let places = (0..recordings.len()).into_par_iter();
     let first: Result<Vec<Option<Done>>, Failure> = pool.install(|| places.map(one).collect());
-    // What ended a worker is tried once more, alone: it may have been short of memory for all.
-    let again = |(place, done): (usize, Option<Done>)| match done {
+    // A recording that ended its worker is tried once more, alone: all together may have been short of memory.
+    let again = |(index, done): (usize, Option<Done>)| match done {
         Some(done) => Ok(done),
-        None => analyze(place).map(|done| {
+        None => analyze(index).map(|done| {
             done.unwrap_or_else(|how| {
                 Done::failed(text_with("session-died", &[("how", how.into())]))
             })

@@ -24,7 +24,7 @@ pub(super) const WORKER: &str = "worker";
 /// A recording to be analysed.
 #[derive(Serialize, Deserialize)]
 pub(super) struct Request {
-    /// What it is called.
+    /// Its name.
     pub(super) name: String,
     /// Content and settings.
     pub(super) key: Key,
@@ -53,8 +53,7 @@ pub(super) struct Workers {
 }
 
 impl Workers {
-    /// Has a recording analysed by a worker that has nothing else to do; `None` if it is no longer what was
-    /// asked for.
+    /// Has a recording analysed by an idle worker; `None` if its content or its settings have changed.
     pub(super) fn record(&self, request: &Request) -> Result<Option<Record>, Trouble> {
         let mut worker = match self.idle().pop() {
             Some(worker) => worker,
@@ -106,7 +105,7 @@ impl Worker {
         Ok(serde_json::from_str(&answer)?)
     }
 
-    /// Ends a worker that gave no answer; how it ended.
+    /// Ends a worker that gave no answer, and returns how it ended.
     fn end(mut self, reason: &io::Error) -> Trouble {
         // One that failed has closed its end, and is gone or about to go.
         drop(self.process.stdin.take());
@@ -131,7 +130,7 @@ fn arguments(of_session: impl Iterator<Item = OsString>) -> Vec<OsString> {
     let mut arguments: Vec<OsString> = of_session.collect();
     // Behind the name of the command: further behind, there may be a `--`.
     let command = arguments.iter().position(|word| word == "session");
-    let behind = command.map_or(arguments.len(), |place| place + 1);
+    let behind = command.map_or(arguments.len(), |index| index + 1);
     arguments.insert(behind, format!("--{WORKER}").into());
     arguments
 }
@@ -152,14 +151,14 @@ pub(super) fn serve(
     Ok(())
 }
 
-/// Gives up what an analysis does not need: memory beyond a limit, writing files, the network. What the system
-/// does not know stays.
+/// Drops the rights that an analysis does not need: memory beyond a limit, writing files, the network. Rights that the
+/// system cannot drop remain.
 #[cfg(target_os = "linux")]
 fn confine(memory_mb: u64) -> Result<(), Failure> {
     use landlock::{ABI, Access, AccessFs, AccessNet, Ruleset, RulesetAttr, RulesetCreated};
     use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
 
-    // A stricter limit of somebody else stays.
+    // A stricter limit that was set outside remains.
     let most = memory_mb << 20;
     let most = getrlimit(Resource::Data)
         .maximum
@@ -183,7 +182,7 @@ fn confine(memory_mb: u64) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Has the system end this process after so many more seconds of processor time.
+/// Has the system end this process after further `seconds` of processor time.
 #[cfg(target_os = "linux")]
 fn limit_time(seconds: u64) -> Result<(), Failure> {
     use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
@@ -192,7 +191,7 @@ fn limit_time(seconds: u64) -> Result<(), Failure> {
     let used_s = clock_gettime(ClockId::ProcessCPUTime)
         .tv_sec
         .cast_unsigned();
-    // The system counts whole seconds. A stricter limit of somebody else stays.
+    // The system counts whole seconds. A stricter limit that was set outside remains.
     let end_s = used_s + 1 + seconds;
     let maximum = getrlimit(Resource::Cpu).maximum;
     let limit = Rlimit {
@@ -246,8 +245,8 @@ mod tests {
         let server = TcpListener::bind("127.0.0.1:0").unwrap();
         let address = server.local_addr().unwrap();
         let work = || {
-            const MOST_MB: u64 = 1 << 20;
-            confine(MOST_MB).map_err(|refused| refused.to_string())?;
+            const MAX_MB: u64 = 1 << 20;
+            confine(MAX_MB).map_err(|refused| refused.to_string())?;
             let tries = [
                 ("read", fs::read(&file).map(drop)),
                 ("replaced", fs::write(&file, "lost")),

@@ -119,7 +119,7 @@ impl Surface {
     }
 }
 
-/// The greatest probability of a wrong decision, where nobody states another.
+/// Maximum probability of a wrong decision, if none is stated.
 const RISK: f64 = 0.05;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -198,15 +198,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-/// Name and hash of each file, once each: the same drop counted twice would make a verdict look surer
-/// than it is.
+/// Name and hash of each file, once each: the same drop counted twice would make a verdict seem more certain than it is.
 fn once_each<'a>(
     files: impl Iterator<Item = &'a PathBuf>,
 ) -> Result<Vec<(String, String)>, Failure> {
     let mut seen = BTreeMap::new();
     let mut hashes = Vec::new();
     for file in files {
-        // What cannot be read is said when it is opened.
+        // A file that cannot be read is reported when it is opened.
         let Ok(content) = hash_of_file(file) else {
             continue;
         };

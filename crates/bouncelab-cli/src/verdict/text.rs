@@ -11,7 +11,7 @@ use bouncelab_report::rules::words;
 use crate::analyze::{assumed, note};
 use crate::language::{text, text_with, translator};
 
-/// The verdict, the rebound in several ways and why they differ, and what to know.
+/// The verdict, the rebound by several definitions and why they differ, and remarks.
 pub(super) fn report(evaluation: &Evaluation<'_>) -> String {
     let Evaluation {
         rule,

@@ -1,4 +1,4 @@
-//! Which ball bounced: what the impact times of a drop say of each preset.
+//! Which ball bounced: the evidence of the impact times for each preset.
 
 use super::{Drop, Options, analyze_impacts};
 use crate::ball::{self, Preset};
@@ -7,11 +7,11 @@ use crate::estimate::Estimate;
 use crate::restitution::{ImpactRestitution, PerImpact};
 use crate::stats::sort_by_number;
 
-/// Odds from which on another ball is worth a remark: "strong" evidence on the scale of H. Jeffreys,
+/// Minimum odds for a remark about another ball: "strong" evidence on the scale of H. Jeffreys,
 /// *Theory of Probability*, appendix B.
 const STRONG: f64 = 10.0;
 
-/// What a drop says if a preset ball made it.
+/// The results of a drop for a preset ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -30,7 +30,7 @@ pub struct BallComparison {
 }
 
 impl Options {
-    /// The same, comparing what a drop says of each preset ball: that takes as long as ten inferences.
+    /// The same with a comparison of the preset balls, which takes as long as ten inferences.
     ///
     /// ```
     /// use bouncelab::{Options, analyze_times, ball, demo};
@@ -63,7 +63,7 @@ impl Options {
         self.with_ball_of(&Self::new(preset))
     }
 
-    /// The same with the ball of others.
+    /// The same with the ball of other options.
     pub(crate) fn with_ball_of(mut self, other: &Self) -> Self {
         self.ball = other.ball;
         self.contact_time_s = other.contact_time_s;
@@ -74,21 +74,21 @@ impl Options {
     }
 }
 
-/// Logarithm of a Bayes factor as it counts if the model is not exactly true: J. W. Miller and D. B. Dunson, "Robust
-/// Bayesian inference via coarsening", Journal of the American Statistical Association 114, 1113 (2019); their power of the likelihood, taken of the evidence.
+/// Logarithm of a Bayes factor for a model that is not exactly true: J. W. Miller and D. B. Dunson, "Robust
+/// Bayesian inference via coarsening", Journal of the American Statistical Association 114, 1113 (2019); their power of the likelihood, applied to the evidence.
 ///
 /// Without it small faults of the model, which add up over the flights, would decide between balls.
 fn coarsened(log_bayes_factor: f64, flights: usize) -> f64 {
-    /// Inverse of the relative entropy of the model to the truth that is expected for each flight. So large is that
-    /// of a normal scatter to one of 1.16 times its standard deviation.
+    /// Inverse of the expected relative entropy of the model to the truth for each flight: that of a normal scatter to
+    /// one of 1.16 times its standard deviation.
     const PRECISION: f64 = 50.0;
     log_bayes_factor * PRECISION / (PRECISION + flights as f64)
 }
 
-/// The inference with each preset ball, the best first; nothing without a posterior.
+/// The inference with each preset ball, the best first; empty without a posterior.
 ///
 /// The Bayes factor weighs whole set-ups: mass, diameter, drag and contact time as the preset states
-/// them. Balls that the air slows alike cannot be told apart.
+/// them. Balls with the same deceleration by the air cannot be distinguished.
 pub(super) fn compare(drop: &Drop, options: &Options) -> Vec<BallComparison> {
     let Ok(stated) = &drop.posterior else {
         return Vec::new();
@@ -113,15 +113,15 @@ pub(super) fn compare(drop: &Drop, options: &Options) -> Vec<BallComparison> {
 }
 
 /// A diagnostic if the first of the compared balls explains the times much better than the one that was
-/// stated or assumed; none where nothing can be told.
+/// stated or assumed; `None` if the balls cannot be distinguished.
 pub(super) fn better(balls: &[BallComparison]) -> Option<Diagnostic> {
-    /// Odds beyond this are certainty for people.
+    /// Maximum odds that are reported: beyond this they mean certainty.
     const GREATEST_ODDS: f64 = 1000.0;
     let best = balls.first()?.log_bayes_factor;
     // That the right ball was stated is as probable as all others together.
     let others = balls.len().max(2) - 1;
     let odds = (best.exp() / others as f64).min(GREATEST_ODDS);
-    // Those that are nearly as good as the best cannot be told from it.
+    // Balls that are nearly as good as the best cannot be distinguished from it.
     let good = |ball: &&BallComparison| best - ball.log_bayes_factor < STRONG.ln();
     let names: Vec<&str> = balls.iter().filter(good).map(|ball| ball.ball).collect();
     (odds >= STRONG).then(|| {
@@ -133,24 +133,24 @@ pub(super) fn better(balls: &[BallComparison]) -> Option<Diagnostic> {
 }
 
 /// A diagnostic if the corrected restitution rises with the speed: real balls lose the same share or a
-/// greater one the faster they are (W. Goldsmith, *Impact*, 1960, chapter 6), so the air was made
-/// responsible for what the impacts took.
+/// greater one the faster they are (W. Goldsmith, *Impact*, 1960, chapter 6), so losses of the impacts were
+/// attributed to the air.
 ///
-/// Drag only takes more of the longer of two flights. So where the ratio of flight times, the restitution without
-/// correction, rises too, no ball would explain it, and nothing is said of the ball.
+/// The correction for drag is larger for the longer of two flights. If the ratio of flight times, the restitution
+/// without correction, rises too, no ball explains it, and there is no diagnostic.
 pub(super) fn rising(found: &PerImpact) -> Option<Diagnostic> {
-    /// A rise of less is no concern of anybody.
-    const LEAST_RISE: f64 = 0.01;
-    /// As many standard errors of the slope; fewer come by chance among many drops.
+    /// Minimum relative rise.
+    const MIN_RISE: f64 = 0.01;
+    /// Minimum slope in standard errors: smaller ones occur by chance among many drops.
     const STANDARD_ERRORS: f64 = 4.0;
-    const FEWEST_IMPACTS: usize = 5;
-    if found.impacts.len() < FEWEST_IMPACTS {
+    const MIN_IMPACTS: usize = 5;
+    if found.impacts.len() < MIN_IMPACTS {
         return None;
     }
     let corrected = Trend::of(&found.impacts, |impact| impact.restitution.value);
     let uncorrected = Trend::of(&found.impacts, |impact| impact.flight_time_ratio);
     let [slow, fast] = [found.slowest_m_s?, found.fastest_m_s?].map(|speed| corrected.at(speed));
-    let rises = fast > (1.0 + LEAST_RISE) * slow
+    let rises = fast > (1.0 + MIN_RISE) * slow
         && corrected.slope > STANDARD_ERRORS * corrected.slope_sd
         && uncorrected.slope < 0.0;
     rises.then(|| {
@@ -207,7 +207,7 @@ mod tests {
     use crate::impact::Impact;
     use crate::restitution;
 
-    /// What is said of a drop from 2.5 m of this ball, if it is taken for the default one.
+    /// The diagnostic of a drop of this ball from 2.5 m, analysed as the default ball.
     fn said(true_ball: &str, restitution: fn(f64) -> f64) -> Option<Diagnostic> {
         let of = |options: &Options| FlightModel::new(&options.ball, &options.environment).unwrap();
         let stated = Options::default();

@@ -1,5 +1,4 @@
-//! What follows from a result and is computed on request: height histories, drag curves, and the
-//! answer from fewer flights.
+//! Further results that are computed on request: height histories, drag curves, and the height from fewer flights.
 
 use super::result::Drop;
 use super::{Options, analyze_impacts};
@@ -47,7 +46,7 @@ pub struct Truncation {
 }
 
 impl Drop {
-    /// The height of each flight by the flight model; nothing if the impacts allow none.
+    /// The height of each flight by the flight model; empty if it cannot be computed.
     pub fn height_history(&self, options: &Options) -> HeightHistory {
         /// Points along each flight.
         const POINTS: usize = 24;
@@ -78,7 +77,7 @@ impl Drop {
     }
 
     /// The drop that the posterior describes, from its release on, in the time of the recording: time
-    /// in s and height in m. Nothing without inference.
+    /// in s and height in m. Empty without inference.
     ///
     /// # Errors
     ///
@@ -145,7 +144,7 @@ impl Drop {
 
 impl Options {
     /// Drag over weight of the chosen law, and of a constant coefficient that agrees with it at the
-    /// fastest impact; none without drag.
+    /// fastest impact; empty without drag.
     ///
     /// # Errors
     ///
@@ -189,7 +188,7 @@ fn most_probable(probabilities: &[f64]) -> usize {
 }
 
 fn options_of_truncation(options: &Options, last_flight: usize) -> Options {
-    /// A comparison needs fewer draws than an answer.
+    /// A comparison needs fewer draws than a result.
     const SAMPLER: SamplerConfig = SamplerConfig {
         draws: 600,
         seed: 1,
@@ -203,7 +202,7 @@ fn options_of_truncation(options: &Options, last_flight: usize) -> Options {
         }),
         ..options.clone()
     };
-    // Not to lean on a height that the person stated.
+    // The height that was stated is left out: it would decide the result.
     options.priors.drop_height_m = None;
     options.priors.release_s = None;
     options

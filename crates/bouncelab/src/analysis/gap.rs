@@ -4,26 +4,24 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::impact::Impact;
 use crate::train::{TrainImpact, latest_next_s};
 
-/// Where sound breaks off or sets in again, an onset is detected that is no impact: impacts this near
-/// to a gap, in seconds, are not believed.
+/// An onset is detected where sound breaks off or sets in again. Impacts this near to a gap, in seconds, are removed.
 const EDGE_S: f64 = 0.02;
 
-/// An interval of a recording of which the sound was lost, in seconds: silence stands in its place.
+/// An interval of a recording of which the sound was lost, in seconds, and replaced by silence.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct Gap {
     /// Where the sound breaks off.
     pub start_s: f64,
-    /// How long the silence is that stands in its place; 0 if nothing is known.
+    /// Length of the silence in its place; 0 if the length of the lost sound is unknown.
     pub duration_s: f64,
-    /// Whether that is how long the lost sound was. If not, times after it are on another clock than
-    /// those before.
+    /// Whether the lost sound was as long. If not, times after it and before it cannot be compared.
     pub certain: bool,
 }
 
-/// Keeps of a drop the longest part without a gap, numbered anew: no flight across a gap is right, nor
-/// is the number of impacts in it. Returns what was left out.
+/// Keeps the longest part of a drop without a gap, numbered anew: flight times across a gap are wrong, and the number of
+/// impacts in it is unknown. Returns a diagnostic if impacts were removed.
 pub(super) fn cut(impacts: &mut Vec<Impact>, gaps: &[Gap]) -> Option<Diagnostic> {
     let (first_s, last_s) = (impacts.first()?.time_s, impacts.last()?.time_s);
     let within: Vec<&Gap> = gaps
@@ -54,8 +52,8 @@ pub(super) fn cut(impacts: &mut Vec<Impact>, gaps: &[Gap]) -> Option<Diagnostic>
     )
 }
 
-/// When no more impacts of a drop are expected, in seconds: what came in lost sound was not heard, so the wait of
-/// [`latest_next_s`] begins anew where the sound sets in again.
+/// The time after which no more impacts of a drop are expected, in seconds. Impacts in lost sound are not detected, so the
+/// wait of [`latest_next_s`] begins anew where the sound sets in again.
 ///
 /// ```
 /// use bouncelab::analysis::{Gap, rests_at_s};

@@ -1,9 +1,8 @@
 //! The pipeline: from samples, or impact times, to the result.
 //!
 //! [`analyze`] and [`analyze_times`] do all of it. A stream goes through a
-//! [`Detector`](crate::Detector) first and then, as a [`Plan`], to its result; drops are then analysed
-//! by whoever has the threads. What is known of ball, air and surface, and what is asked, are the
-//! [`Options`].
+//! [`Detector`](crate::Detector) first and then, as a [`Plan`], to its result; the caller may
+//! analyse its drops in threads. Ball, air, surface and questions are the [`Options`].
 //!
 //! ```
 //! use bouncelab::{Options, ball};
@@ -49,7 +48,7 @@ pub use gap::{Gap, rests_at_s};
 pub use pipeline::{DropCandidate, DropTask, Plan, analyze, analyze_channels, analyze_times};
 pub use result::{BounceEnergy, Drop, MeasuredFlight, Recording, Source, StrongestBand};
 
-/// What is known, or assumed, of the ball and what it flies through, and what is asked.
+/// Ball, air and gravity, given or assumed; priors; and what to compute.
 ///
 /// ```
 /// use bouncelab::inference::SamplerConfig;
@@ -73,15 +72,15 @@ pub struct Options {
     /// The flights that go into the log-linear fit, by number; if `None`, all between impacts that
     /// are certain ([`CONFIDENT_PROBABILITY`]).
     pub flights: Option<RangeInclusive<usize>>,
-    /// What is known besides the impact times.
+    /// Measurements and priors besides the impact times.
     pub priors: Priors,
-    /// What to ask of the inference; `None` leaves it out.
+    /// The questions to the inference; `None` leaves it out.
     pub inference: Option<InferenceOptions>,
     /// Where in a recording to look for impacts.
     pub detection: DetectionOptions,
     /// Impacts excluded and included by hand.
     pub edits: Edits,
-    /// Whether to compare what a drop says of each preset ball.
+    /// Whether to compare the preset balls.
     pub compares_balls: bool,
 }
 
@@ -89,7 +88,7 @@ pub struct Options {
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Edits {
-    /// Times of impacts to leave out, in seconds: of each, the nearest impact within 20 ms.
+    /// Times of impacts to exclude, in seconds: of each, the nearest impact within 20 ms.
     pub exclude_s: Vec<f64>,
     /// Times of impacts to add, in seconds.
     pub include_s: Vec<f64>,
@@ -236,8 +235,8 @@ impl Options {
         self
     }
 
-    /// The same for the drop that begins at a time, given when the others begin: a release is of the
-    /// drop that begins next after it, if no sound was lost in between.
+    /// The same for the drop that begins at `start_s`. A release belongs to the drop that begins next after it, if no
+    /// sound was lost in between.
     #[must_use]
     pub fn for_drop(&self, start_s: f64, other_starts_s: &[f64]) -> Self {
         let is_its_own = |released_s: f64| {
@@ -253,7 +252,7 @@ impl Options {
         options
     }
 
-    /// What to say if a release was stated and no drop begins after it, given when they begin.
+    /// A diagnostic if a release was stated and no drop begins after it.
     pub fn release_without_drop(&self, starts_s: &[f64]) -> Option<Diagnostic> {
         let released_s = self.priors.release_s?.value;
         let begins = starts_s.iter().any(|&start_s| released_s < start_s);
@@ -278,7 +277,7 @@ impl Options {
 }
 
 /// An impact below this probability is marked as uncertain, and no flight from or to it goes into
-/// the log-linear fit unless it is asked for.
+/// the log-linear fit unless it is requested.
 pub const CONFIDENT_PROBABILITY: f64 = 0.9;
 
 impl From<&TrainImpact> for Impact {
@@ -293,8 +292,7 @@ impl From<&TrainImpact> for Impact {
     }
 }
 
-/// Impacts known by their times alone, in increasing order; where the intervals say that one was
-/// missed, the numbers have a gap.
+/// Impacts of a list of times, in increasing order; where the intervals indicate a missed impact, the numbers have a gap.
 ///
 /// ```
 /// use bouncelab::analysis::impacts_of_times;
@@ -309,10 +307,9 @@ pub fn impacts_of_times(times_s: &[f64]) -> Vec<Impact> {
         .collect()
 }
 
-/// The same impacts with others left out and added by hand, and numbered anew.
+/// The same impacts with some excluded and others included, and numbered anew.
 ///
-/// A time to leave out means the nearest impact within 20 ms; one that means none is returned in
-/// the second list.
+/// A time to exclude means the nearest impact within 20 ms; times without one are returned in the second list.
 fn edit(impacts: &[Impact], exclude_s: &[f64], include_s: &[f64]) -> (Vec<Impact>, Vec<f64>) {
     const NEAR_S: f64 = 0.02;
     let mut edited = impacts.to_vec();
@@ -355,7 +352,7 @@ pub fn renumbered(mut impacts: Vec<Impact>) -> Vec<Impact> {
 
 /// Analyses the impacts of one drop, in order of time.
 ///
-/// What cannot be told is an error in its own place, so that the rest remains.
+/// A result that cannot be computed is an error in its own field, and the others remain.
 ///
 /// ```
 /// use bouncelab::Options;
@@ -471,7 +468,7 @@ fn diagnostics(
     flights: &[MeasuredFlight],
     per_impact: Option<&PerImpact>,
 ) -> Vec<Diagnostic> {
-    /// A flight longer than the one before by this factor is no error of the times.
+    /// Minimum ratio of a flight time to the one before that errors of the times do not explain.
     const GROWS: f64 = 1.02;
     let mut diagnostics = Vec::new();
     let span = impacts

@@ -28,14 +28,14 @@ use crate::train::{MIN_IMPACTS, Train};
 /// # Errors
 ///
 /// [`Error::NoBand`](crate::Error::NoBand) and [`Error::NoChannel`](crate::Error::NoChannel) if the
-/// options ask for a band or channel that there is not. A recording without a drop is no error:
-/// [`Recording::no_drop`] says why.
+/// options name a band or a channel that does not exist. A recording without a drop is no error:
+/// [`Recording::no_drop`] is the reason.
 pub fn analyze(samples: &[f32], sample_rate_hz: u32, options: &Options) -> Result<Recording> {
     analyze_channels(&[samples], sample_rate_hz, options)
 }
 
 /// Analyses a recording of several channels of equal length; the one with the most evidence for its
-/// drops is believed.
+/// drops is used.
 ///
 /// # Errors
 ///
@@ -63,8 +63,7 @@ pub fn analyze_channels(
     Ok(Plan::of_detection(detector.finish(), options).run())
 }
 
-/// Analyses a list of impact times in seconds, in increasing order: it is one drop, whoever made it
-/// has chosen.
+/// Analyses a list of impact times in seconds, in increasing order, which are those of one drop.
 ///
 /// ```
 /// use bouncelab::{Options, analyze_times};
@@ -79,17 +78,18 @@ pub fn analyze_times(times_s: &[f64], options: &Options) -> Recording {
     Plan::of_times(times_s, options).run()
 }
 
-/// No ball that one drops flies so long, in seconds: 1.1 km high, or eight missed flights of 14 m.
-const LONGEST_S: f64 = 30.0;
+/// Upper limit of a flight time, in seconds: 1.1 km high, or eight missed flights of 14 m.
+const MAX_FLIGHT_S: f64 = 30.0;
 
-/// More impacts than any drop has: the longest of steel balls have about a hundred. Their inference would take seconds.
-const MOST_IMPACTS: usize = 500;
+/// Maximum number of impacts of a drop: the longest drops of steel balls have about a hundred, and an inference from more
+/// takes seconds.
+const MAX_IMPACTS: usize = 500;
 
-/// So many drops of a recording are analysed at most: a tenth of a second each, and less than a megabyte.
-const MOST_DROPS: usize = 1_000;
+/// Maximum number of drops of a recording that are analysed; each takes a tenth of a second and less than a megabyte.
+const MAX_DROPS: usize = 1_000;
 
-/// A recording whose drops are yet to be analysed, each of them by itself: side by side where there
-/// are threads, one after the other where there are none.
+/// A recording whose drops are yet to be analysed, each independently: in parallel if the caller has threads, else one
+/// after the other.
 ///
 /// ```
 /// use bouncelab::Options;
@@ -106,7 +106,7 @@ pub struct Plan {
     tasks: Vec<DropTask>,
 }
 
-/// One drop to be analysed: two that are equal have equal results.
+/// One drop to be analysed; equal tasks have equal results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DropTask {
     candidate: DropCandidate,
@@ -120,7 +120,7 @@ pub struct DropTask {
 pub struct DropCandidate {
     /// Its impacts, in order of time.
     pub impacts: Vec<Impact>,
-    /// Probability that it is a drop; 1 if a person says so.
+    /// Probability that it is a drop; 1 if it was marked by hand.
     pub probability: f64,
 }
 
@@ -142,14 +142,14 @@ impl Plan {
             diagnostics: detection.diagnostics(),
             ..Recording::of(source)
         };
-        if trains.len() > MOST_DROPS {
+        if trains.len() > MAX_DROPS {
             let left_out = Diagnostic::new(Code::TooManyDrops)
                 .with("drops", trains.len())
-                .with("most", MOST_DROPS)
-                .with("end_s", trains[MOST_DROPS - 1].end_s());
+                .with("most", MAX_DROPS)
+                .with("end_s", trains[MAX_DROPS - 1].end_s());
             recording.diagnostics.push(left_out);
         }
-        let candidates = trains.iter().take(MOST_DROPS);
+        let candidates = trains.iter().take(MAX_DROPS);
         let candidates = candidates.map(DropCandidate::from).collect();
         let mut plan = Self::new(recording, candidates, options);
         plan.recording.envelope = Some(detection.envelope);
@@ -158,12 +158,12 @@ impl Plan {
 
     /// The plan for a list of impact times in seconds, in increasing order.
     pub fn of_times(times_s: &[f64], options: &Options) -> Self {
-        let is_far = |pair: &[f64]| pair[1] - pair[0] > LONGEST_S;
+        let is_far = |pair: &[f64]| pair[1] - pair[0] > MAX_FLIGHT_S;
         let no_drop = if times_s.len() < 2 {
             Some(Diagnostic::new(Code::TooFewTimes))
-        } else if times_s.len() > MOST_IMPACTS {
+        } else if times_s.len() > MAX_IMPACTS {
             let too_many = Diagnostic::new(Code::TooManyTimes).with("count", times_s.len());
-            Some(too_many.with("most", MOST_IMPACTS))
+            Some(too_many.with("most", MAX_IMPACTS))
         } else if times_s.windows(2).any(is_far) {
             Some(Diagnostic::new(Code::TimesInMilliseconds))
         } else {
@@ -180,8 +180,8 @@ impl Plan {
         Self::new(recording, candidates, options)
     }
 
-    /// The same for the sound of a file: with the name of its format, and with what is odd about the
-    /// file before what is odd about the sound.
+    /// The same for the sound of a file: with the name of its format, and with the diagnostics of the file before those of
+    /// the sound.
     ///
     /// ```
     /// use bouncelab::analysis::{Plan, Source};
@@ -203,7 +203,7 @@ impl Plan {
         self
     }
 
-    /// The plan for drops that are known already: detected before, or edited by hand.
+    /// The plan for drops that were detected before, or edited by hand.
     pub fn of_candidates(
         source: Source,
         candidates: Vec<DropCandidate>,
@@ -288,7 +288,7 @@ impl DropTask {
 }
 
 impl DropCandidate {
-    /// As certain as the hand that wrote the times.
+    /// A list of times is certainly a drop.
     fn of_times(times_s: &[f64]) -> Self {
         Self {
             impacts: impacts_of_times(times_s),
@@ -329,8 +329,8 @@ fn strongest_band(detection: &Detection) -> Option<StrongestBand> {
     })
 }
 
-/// Excludes and includes impacts at these times: each in the drop in which, or nearest to which, it
-/// lies. Returns what could not be done.
+/// Excludes and includes impacts at these times, each in the drop that contains it or is nearest to it. Returns a
+/// diagnostic for each time without one.
 fn apply(edits: &Edits, drops: &mut Vec<DropCandidate>) -> Vec<Diagnostic> {
     /// An impact farther than this from a drop, in seconds, does not belong to it.
     const REACH_S: f64 = 2.0;
@@ -342,8 +342,8 @@ fn apply(edits: &Edits, drops: &mut Vec<DropCandidate>) -> Vec<Diagnostic> {
     let mut added_s = vec![Vec::new(); drops.len()];
     include_s.retain(|&time_s| {
         let near =
-            nearest(drops, time_s).filter(|&place| drops[place].distance_s(time_s) <= REACH_S);
-        near.map(|place| added_s[place].push(time_s)).is_none()
+            nearest(drops, time_s).filter(|&index| drops[index].distance_s(time_s) <= REACH_S);
+        near.map(|index| added_s[index].push(time_s)).is_none()
     });
     for (drop, added_s) in drops.iter_mut().zip(added_s) {
         (drop.impacts, exclude_s) = edit(&drop.impacts, &exclude_s, &added_s);
@@ -365,20 +365,20 @@ fn apply(edits: &Edits, drops: &mut Vec<DropCandidate>) -> Vec<Diagnostic> {
     diagnostics
 }
 
-/// The place of the drop that is nearest to a time.
+/// The index of the drop that is nearest to a time.
 fn nearest(drops: &[DropCandidate], time_s: f64) -> Option<usize> {
-    let distance_s = |place: usize| drops[place].distance_s(time_s);
+    let distance_s = |index: usize| drops[index].distance_s(time_s);
     (0..drops.len()).min_by(|&a, &b| distance_s(a).total_cmp(&distance_s(b)))
 }
 
 /// A warning, if the stated height is far from that from which the ball was detected to fall, but
 /// would fit in another unit or with its point elsewhere.
 ///
-/// The inference would rather believe that many impacts were missed at the beginning.
+/// The inference would explain such a height by many missed impacts at the beginning.
 fn height_of_another_unit(stated_m: f64, drop: &Drop) -> Option<Diagnostic> {
-    /// Slips of a unit or a decimal point.
+    /// Factors of a wrong unit or decimal point.
     const SLIPS: [f64; 6] = [10.0, 100.0, 1000.0, 0.1, 0.01, 0.001];
-    /// So far a rough height may be off.
+    /// Maximum ratio of a stated height to the detected one.
     const ROUGH: f64 = 1.15;
     let detected_m = detected_fall_m(drop)?;
     let off = |height_m: f64| (height_m / detected_m).ln().abs();
@@ -394,7 +394,7 @@ fn height_of_another_unit(stated_m: f64, drop: &Drop) -> Option<Diagnostic> {
     )
 }
 
-/// Roughly the height before the first impact: the first apex over what an impact keeps.
+/// Rough height before the first impact: the first apex divided by the share of the energy that an impact keeps.
 fn detected_fall_m(drop: &Drop) -> Option<f64> {
     let first = drop.per_impact.as_ref().ok()?.flights.first()?;
     let kept = drop.per_impact_restitution()?.value.powi(2);

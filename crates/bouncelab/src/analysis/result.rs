@@ -13,7 +13,7 @@ use crate::inference::Posterior;
 use crate::regression::LogLinearFit;
 use crate::restitution::{ImpactRestitution, PerImpact, TimedFlight};
 
-/// What a recording, or a list of times, says.
+/// The result of a recording, or of a list of times.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
@@ -28,7 +28,7 @@ pub struct Recording {
     pub drops: Vec<Drop>,
     /// Why there is none.
     pub no_drop: Option<Diagnostic>,
-    /// What is odd about the recording as a whole.
+    /// Diagnostics of the recording as a whole.
     pub diagnostics: Vec<Diagnostic>,
     /// Loudness over time, if it is sound.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -36,7 +36,7 @@ pub struct Recording {
 }
 
 impl Recording {
-    /// A recording of which nothing but its source is known.
+    /// A recording without drops.
     pub(super) const fn of(source: Source) -> Self {
         Self {
             source,
@@ -99,9 +99,9 @@ pub struct StrongestBand {
     pub above_background_db: f64,
 }
 
-/// What the impact times of one drop say.
+/// The results of one drop.
 ///
-/// What cannot be told is an error in its own place (`null` in JSON), so that the rest remains: two
+/// A result that cannot be computed is an error in its own field (`null` in JSON), and the others remain: two
 /// impacts have a flight and a height, but no log-linear fit.
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -122,14 +122,14 @@ pub struct Drop {
     #[cfg_attr(feature = "serde", serde(serialize_with = "ok_or_null"))]
     #[cfg_attr(feature = "typescript", ts(as = "Option<PerImpact>"))]
     pub per_impact: Result<PerImpact>,
-    /// What all of it says together.
+    /// The posterior of the inference.
     #[cfg_attr(feature = "serde", serde(serialize_with = "ok_or_null"))]
     #[cfg_attr(feature = "typescript", ts(as = "Option<Posterior>"))]
     pub posterior: Result<Posterior>,
-    /// What the times say of each preset ball, the best first; empty unless
-    /// [asked for](super::Options::with_ball_comparison).
+    /// The results for each preset ball, the best first; empty unless
+    /// [requested](super::Options::with_ball_comparison).
     pub balls: Vec<BallComparison>,
-    /// What is odd, and what to know before believing it.
+    /// Diagnostics of the drop.
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -155,7 +155,7 @@ pub struct MeasuredFlight {
     pub launch_speed_m_s: Option<f64>,
 }
 
-/// What became of the energy at an impact and in the flight after it, in joules.
+/// The energy lost at an impact and in the flight after it, in joules.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct BounceEnergy {
@@ -163,14 +163,14 @@ pub struct BounceEnergy {
     pub number: usize,
     /// Kinetic energy just before it.
     pub before_j: f64,
-    /// What the surface took.
+    /// Energy lost to the surface.
     pub lost_to_surface_j: f64,
-    /// What the air took in the flight after it.
+    /// Energy lost to the air in the flight after it.
     pub lost_to_air_j: f64,
 }
 
 impl Drop {
-    /// The flight after the impact of this number, if it and the next are known.
+    /// The flight after the impact of this number, if it and the next were detected.
     pub fn flight(&self, number: usize) -> Option<&MeasuredFlight> {
         self.flights.iter().find(|flight| flight.number == number)
     }
@@ -193,13 +193,13 @@ impl Drop {
         self.per_impact.as_ref().ok()?.restitution
     }
 
-    /// The range of impact speeds at which the corrected restitution was seen, in m/s.
+    /// The range of impact speeds at which the corrected restitution was measured, in m/s.
     pub fn speed_range_m_s(&self) -> Option<(f64, f64)> {
         let per_impact = self.per_impact.as_ref().ok()?;
         Some((per_impact.slowest_m_s?, per_impact.fastest_m_s?))
     }
 
-    /// The energies of each impact with a flight on both sides; none if the impacts allow none.
+    /// The energies of each impact with a flight on both sides; empty if they cannot be computed.
     pub fn energies(&self, options: &Options) -> Vec<BounceEnergy> {
         let (Ok(found), Ok(model)) = (&self.per_impact, options.model()) else {
             return Vec::new();

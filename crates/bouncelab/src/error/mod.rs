@@ -14,8 +14,8 @@ pub type Result<T> = std::result::Result<T, Error>;
 
 /// Why a calculation was refused.
 ///
-/// Every message says what was wrong and what to do about it, so it can be shown to a person as it
-/// is. Kinds may be added, and what a kind knows: match with `..`, and with a last arm for the others.
+/// Every message states the fault and its remedy, and can be shown to users as it is. Kinds and fields may be added: match
+/// with `..`, and with a last arm for other kinds.
 ///
 /// ```
 /// use bouncelab::{Error, ball};
@@ -28,7 +28,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A number lies outside the values for which the calculation makes sense (this includes NaN).
+    /// A number is outside the range of the calculation (this includes NaN).
     #[error("{quantity} is {}; it must be {allowed}", quantity.written(*value))]
     #[non_exhaustive]
     OutOfRange {
@@ -54,7 +54,7 @@ pub enum Error {
         known: String,
     },
 
-    /// The ball is faster than the chosen drag law knows.
+    /// The Reynolds number of the ball is above the range of the drag law.
     #[error(
         "the drag law {law} is valid up to Reynolds number {max_reynolds:.3e}, but the ball reaches \
          {reynolds:.3e}; choose a law with a wider range (clift-grace-weber has no upper end) or a \
@@ -83,7 +83,7 @@ pub enum Error {
         displaced_kg: f64,
     },
 
-    /// A drop that would go on for more bounces than anyone can use.
+    /// A drop with more bounces than the simulation allows.
     #[error(
         "the ball still rises {apex_m:.3e} m after {bounces} bounces; lower the restitution, stop at \
          a greater height, or ask for at most {bounces} bounces"
@@ -107,7 +107,7 @@ pub enum Error {
         flights: usize,
     },
 
-    /// A mean of no drops, or more means than drops can tell.
+    /// A mean of no drops, or more means than the drops determine.
     #[error("this needs {needed} drops or more, and there are {drops}")]
     #[non_exhaustive]
     TooFewDrops {
@@ -143,7 +143,7 @@ pub enum Error {
         channels: usize,
     },
 
-    /// More channels than can be listened to together.
+    /// More channels than can be analysed together.
     #[error(
         "{channels} channels are more than can be analysed together: at this sample rate at most {most}; \
          choose one of them"
@@ -156,7 +156,7 @@ pub enum Error {
         most: usize,
     },
 
-    /// A rule that judges each drop cannot compare with a reference.
+    /// A rule that evaluates each drop cannot compare with a reference.
     #[error("a share of a reference compares means: single drops have no share")]
     EachOfReference,
 
@@ -225,13 +225,13 @@ pub enum InferenceFailure {
     /// No draw of the posterior explains the times.
     #[error("the posterior could not be sampled: no draw fits the times; are they of one drop?")]
     SamplingFailed,
-    /// All drops stand in one group, or the groups cannot be separated.
+    /// All drops are in one group, or the groups cannot be separated.
     #[error("the variances of these groups cannot be separated")]
     Confounded,
 }
 
 impl Error {
-    /// The same as data, for those who show it in another language.
+    /// The error as data, from which messages in other languages are made.
     ///
     /// ```
     /// use bouncelab::ball::Ball;
@@ -354,7 +354,7 @@ impl Error {
         }
     }
 
-    /// An [`Error::UnknownName`] that offers the known name most like `name`, the first of those that are alike.
+    /// An [`Error::UnknownName`] that suggests the known name most similar to `name`, the first of equally similar ones.
     pub fn unknown_name(kind: &'static str, name: &str, known: &[&str]) -> Self {
         let likeness = |candidate: &&&str| strsim::jaro_winkler(name, candidate);
         let nearest = known
@@ -409,8 +409,8 @@ pub(crate) fn positive_up_to(quantity: Quantity, value: f64, highest: f64) -> Re
     within(quantity, value, (Excluded(0.0), Included(highest)))
 }
 
-/// The value back if it is of a size that things have, in SI: the physics of far larger and smaller
-/// ones exceeds the range of floating-point numbers.
+/// The value back if it is from 1e-20 to 1e20 in SI: the physics of larger and smaller values exceeds the range of
+/// floating-point numbers.
 pub(crate) fn of_a_size(quantity: Quantity, value: f64) -> Result<f64> {
     within(quantity, value, 1e-20..=1e20)
 }
