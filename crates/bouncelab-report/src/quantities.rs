@@ -306,7 +306,9 @@ pub fn of_drop(drop: &Drop, options: &Options, translator: &Translator) -> Vec<Q
         let mut rows = reader.rows(Method::PerImpact, result, |entry| &entry.per_impact);
         // The inference is the answer if there is one; this checks it.
         if posterior.is_some() {
-            rows.iter_mut().for_each(|row| row.level = Level::Details);
+            for row in &mut rows {
+                row.level = Level::Details;
+            }
         }
         rows
     });
