@@ -24,7 +24,8 @@ pub(super) struct Medium {
 }
 
 /// The inputs affect a flight only through the effective gravity and drag over weight. Their joint prior is normal in the
-/// logarithms; this is its triangular root: ln g = gravity_sd z1, ln drag = drag_on_gravity z1 + drag_sd z2.
+/// logarithms; this is its triangular root:
+/// `ln g = gravity_sd z1`, `ln drag = drag_on_gravity z1 + drag_sd z2`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Inputs {
     /// One row for each input: name, d ln g, d ln(drag), each for one standard uncertainty.

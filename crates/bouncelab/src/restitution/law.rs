@@ -66,6 +66,7 @@ pub(super) struct Law {
 }
 
 /// The impact speeds of a drop, m/s.
+#[expect(clippy::struct_field_names, reason = "units stand in names")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SpeedRange {
     /// v*, in the middle of them: every law of the inference is given by its restitution there.
