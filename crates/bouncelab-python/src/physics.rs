@@ -7,7 +7,7 @@ use bouncelab::drag::DragLaw;
 use bouncelab::flight::{Fall, Flight};
 use bouncelab::gravity;
 use bouncelab::restitution::LawKind;
-use bouncelab_report::data_table::{Cell, DataTable, Definition};
+use bouncelab_report::data_table::{Cell, CellOf, DataTable, Definition};
 use bouncelab_report::define_columns;
 use bouncelab_report::messages::{self, Translator};
 use pyo3::prelude::*;
@@ -140,7 +140,7 @@ pub(crate) fn gravity_m_s2(py: Python<'_>, places: Vec<(f64, f64)>) -> Result<Bo
 }
 
 /// The columns of [`flights`].
-const FLIGHTS: &[Definition<fn(&Flight) -> Cell>] = define_columns! { |row: Flight|
+const FLIGHTS: &[Definition<CellOf<Flight>>] = define_columns! { |row: Flight|
     launch_speed_m_s: Number ["m/s"] "speed after the impact before it" = Some(row.launch_speed_m_s);
     impact_speed_m_s: Number ["m/s"] "speed before the impact after it" = Some(row.impact_speed_m_s);
     apex_m: Number ["m"] "greatest height" = Some(row.apex_m);
@@ -150,7 +150,7 @@ const FLIGHTS: &[Definition<fn(&Flight) -> Cell>] = define_columns! { |row: Flig
 };
 
 /// The columns of [`falls`].
-const FALLS: &[Definition<fn(&Fall) -> Cell>] = define_columns! { |row: Fall|
+const FALLS: &[Definition<CellOf<Fall>>] = define_columns! { |row: Fall|
     height_m: Number ["m"] "height of the release" = Some(row.height_m);
     fall_time_s: Number ["s"] "time from the release to the impact" = Some(row.time_s);
     impact_speed_m_s: Number ["m/s"] "speed before the impact" = Some(row.impact_speed_m_s);

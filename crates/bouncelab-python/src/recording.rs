@@ -127,6 +127,7 @@ impl Recording {
 }
 
 /// The columns of draws: those of the posterior of a drop, one row for each; the last one only with drag.
+#[expect(clippy::type_complexity, reason = "an alias would fix the lifetime of the rows")]
 const DRAWN: &[Definition<fn(&(&Draws, usize)) -> Cell>] = define_columns! { |row: (&Draws, usize)|
     restitution: Number [""] "restitution" = row.0.restitution.get(row.1).copied();
     drop_height_m: Number ["m"] "drop height" = row.0.drop_height_m.get(row.1).copied();
@@ -194,9 +195,10 @@ impl Recording {
     fn draws(&self, drop: usize) -> Result<Table> {
         let posterior = self.at(drop).posterior.as_ref().map_err(Clone::clone)?;
         let draws = &posterior.draws;
-        let drawn = match draws.drag_coefficient.is_empty() {
-            true => &DRAWN[..2],
-            false => DRAWN,
+        let drawn = if draws.drag_coefficient.is_empty() {
+            &DRAWN[..2]
+        } else {
+            DRAWN
         };
         let rows = (0..draws.restitution.len()).map(|index| (draws, index));
         Ok(Table(DataTable::of(drawn, rows)))

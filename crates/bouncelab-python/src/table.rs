@@ -55,7 +55,7 @@ impl Table {
             .collect()
     }
 
-    /// A column: the type of an array of NumPy that holds it, and its values, with `None` for what is not known.
+    /// A column: the type of an array of `NumPy` that holds it, and its values, with `None` for what is not known.
     fn column<'py>(
         &self,
         py: Python<'py>,

@@ -147,7 +147,7 @@ impl DataTable {
 
     /// A table of these rows.
     pub fn of<R, B: Borrow<R>>(
-        definitions: &[Definition<fn(&R) -> Cell>],
+        definitions: &[Definition<CellOf<R>>],
         rows: impl IntoIterator<Item = B>,
     ) -> Self {
         let cells = |row: B| cells(definitions, row.borrow());
@@ -168,7 +168,10 @@ impl DataTable {
     }
 }
 
-/// A column, and the function that makes its cell from a row.
+/// The function that makes the cell of a column from a row.
+pub type CellOf<R> = fn(&R) -> Cell;
+
+/// A column, and the function that makes its cell from a row: [`CellOf`], unless rows borrow.
 pub type Definition<F> = (Column, F);
 
 /// The columns of definitions.
@@ -178,7 +181,7 @@ pub fn columns<F>(definitions: &[Definition<F>]) -> Vec<Column> {
 }
 
 /// A row as cells, one for each column.
-pub fn cells<R>(definitions: &[Definition<fn(&R) -> Cell>], row: &R) -> Vec<Cell> {
+pub fn cells<R>(definitions: &[Definition<CellOf<R>>], row: &R) -> Vec<Cell> {
     definitions.iter().map(|(_, cell)| cell(row)).collect()
 }
 
@@ -186,10 +189,10 @@ pub fn cells<R>(definitions: &[Definition<fn(&R) -> Cell>], row: &R) -> Vec<Cell
 /// and may use `?`.
 ///
 /// ```
-/// use bouncelab_report::data_table::{Cell, Definition, cells};
+/// use bouncelab_report::data_table::{Cell, CellOf, Definition, cells};
 /// use bouncelab_report::define_columns;
 ///
-/// const BALLS: &[Definition<fn(&f64) -> Cell>] = define_columns! { |mass_kg: f64|
+/// const BALLS: &[Definition<CellOf<f64>>] = define_columns! { |mass_kg: f64|
 ///     mass_kg: Number ["kg"] "mass of the ball" = Some(*mass_kg);
 /// };
 /// assert_eq!(BALLS[0].0.name, "mass_kg");

@@ -418,7 +418,10 @@ impl Reader<'_> {
 }
 
 /// The impact speed of the restitution.
-#[expect(clippy::unnecessary_wraps, reason = "notes of other quantities may be missing")]
+#[expect(
+    clippy::unnecessary_wraps,
+    reason = "notes of other quantities may be missing"
+)]
 fn at_speed(posterior: &Posterior, translator: &Translator) -> Option<String> {
     let speed = Quantity::rounded(posterior.at_speed_m_s, 3, Unit::Speed);
     Some(translator.text_with("quantity-at-speed", &[("speed", speed.into())]))
@@ -435,7 +438,10 @@ fn of_impacts(result: &PerImpact, translator: &Translator) -> Option<String> {
 }
 
 /// How many flights a fit is of.
-#[expect(clippy::unnecessary_wraps, reason = "notes of other quantities may be missing")]
+#[expect(
+    clippy::unnecessary_wraps,
+    reason = "notes of other quantities may be missing"
+)]
 fn of_flights(fit: &LogLinearFit, translator: &Translator) -> Option<String> {
     let count = [("count", fit.flights.into())];
     Some(translator.text_with("quantity-of-flights", &count))

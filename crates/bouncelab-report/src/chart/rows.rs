@@ -1,7 +1,7 @@
 //! The data of a chart as rows of one table, for other drawing programs.
 
 use super::{Chart, Shape};
-use crate::data_table::{Cell, DataTable, Definition, Formulas};
+use crate::data_table::{Cell, CellOf, DataTable, Definition, Formulas};
 use crate::define_columns;
 
 /// A point, a bar, a piece of a band, a rule or a text of a chart. What does not apply is `None`.
@@ -69,7 +69,7 @@ impl Chart {
 }
 
 /// The columns of the data of a figure, by whose first ones bouncelab knows that the file is its own.
-const COLUMNS: &[Definition<fn(&Row) -> Cell>] = define_columns! { |row: Row|
+const COLUMNS: &[Definition<CellOf<Row>>] = define_columns! { |row: Row|
     panel: Count [""] "panel, from 0" = Some(row.panel);
     x_axis: Text [""] "label of the horizontal axis of the panel" = Some(row.x_axis.clone());
     y_axis: Text [""] "label of the vertical axis of the panel" = Some(row.y_axis.clone());

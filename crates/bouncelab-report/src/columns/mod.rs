@@ -30,7 +30,7 @@ use bouncelab::restitution::ImpactRestitution;
 use bouncelab::synth::{Rendered, SynthImpact};
 use bouncelab::{Diagnostic, Recording};
 
-use crate::data_table::{Cell, Column, DataTable, Definition, cells, columns};
+use crate::data_table::{Cell, CellOf, Column, DataTable, Definition, cells, columns};
 use crate::define_columns;
 use crate::document::simulation::{Bounce, Run};
 use crate::messages::Translator;
@@ -47,13 +47,14 @@ pub fn sentences(diagnostics: &[Diagnostic]) -> Option<String> {
 }
 
 /// The columns that say to which drop a row belongs: the name of its recording, and its number there.
+#[expect(clippy::type_complexity, reason = "an alias would fix the lifetime of the rows")]
 pub const WHICH: &[Definition<fn(&(&str, usize)) -> Cell>] = define_columns! { |row: (&str, usize)|
     recording: Text [""] "the recording: its file, in a session relative to the folder" = Some(row.0.to_owned());
     drop: Count [""] "number of the drop in its recording, 1 for the first" = Some(row.1);
 };
 
 /// The columns of `drops`.
-const DROPS: &[Definition<fn(&DropRecord) -> Cell>] = define_columns! { |row: DropRecord|
+const DROPS: &[Definition<CellOf<DropRecord>>] = define_columns! { |row: DropRecord|
     start_s: Number ["s"] "time of the first impact detected" = Some(row.impacts.first()?.impact.time_s);
     impacts: Count [""] "number of impacts detected" = Some(row.impacts.len());
     probability: Number [""] "probability that it is a drop" = Some(row.probability);
@@ -93,7 +94,7 @@ const DROPS: &[Definition<fn(&DropRecord) -> Cell>] = define_columns! { |row: Dr
 };
 
 /// The columns of `impacts`.
-const IMPACTS: &[Definition<fn(&ImpactRecord) -> Cell>] = define_columns! { |row: ImpactRecord|
+const IMPACTS: &[Definition<CellOf<ImpactRecord>>] = define_columns! { |row: ImpactRecord|
     number: Count [""] "number of the impact, 1 for the first known; a missed one leaves a gap"
         = Some(row.impact.number);
     time_s: Number ["s"] "time of the impact in its recording" = Some(row.impact.time_s);
@@ -114,7 +115,7 @@ const IMPACTS: &[Definition<fn(&ImpactRecord) -> Cell>] = define_columns! { |row
 };
 
 /// The columns of `flights`.
-const FLIGHTS: &[Definition<fn(&MeasuredFlight) -> Cell>] = define_columns! { |row: MeasuredFlight|
+const FLIGHTS: &[Definition<CellOf<MeasuredFlight>>] = define_columns! { |row: MeasuredFlight|
     number: Count [""] "number of the impact with which it begins" = Some(row.number);
     flight_time_s: Number ["s"] "time between the two impacts, contact included" = Some(row.flight_time_s);
     in_fit: Flag [""] "whether it goes into the log-linear fit" = Some(row.in_fit);
@@ -125,7 +126,7 @@ const FLIGHTS: &[Definition<fn(&MeasuredFlight) -> Cell>] = define_columns! { |r
 };
 
 /// The columns of the bounces of a simulation: the fields of [`bouncelab.simulation`](crate::document::simulation).
-const BOUNCES: &[Definition<fn(&Bounce) -> Cell>] = define_columns! { |row: Bounce|
+const BOUNCES: &[Definition<CellOf<Bounce>>] = define_columns! { |row: Bounce|
     drag: Text [""] "the drag law" = Some(row.drag.clone());
     number: Count [""] "number of the bounce, 1 for the first" = Some(row.number);
     time_s: Number ["s"] "time of the impact" = Some(row.time_s);
@@ -139,7 +140,7 @@ const BOUNCES: &[Definition<fn(&Bounce) -> Cell>] = define_columns! { |row: Boun
 };
 
 /// The columns of the true impacts of a synthesised recording.
-const TRUTH: &[Definition<fn(&SynthImpact) -> Cell>] = define_columns! { |row: SynthImpact|
+const TRUTH: &[Definition<CellOf<SynthImpact>>] = define_columns! { |row: SynthImpact|
     time_s: Number ["s"] "time of the impact in the recording" = Some(row.time_s);
     impact_speed_m_s: Number ["m/s"] "speed before it" = Some(row.speed_m_s);
     snr_db: Number ["dB"] "level above the noise" = Some(row.snr_db);
