@@ -7,7 +7,7 @@ use bouncelab::drag::DragLaw;
 use bouncelab::flight::{Fall, Flight};
 use bouncelab::gravity;
 use bouncelab::restitution::LawKind;
-use bouncelab_report::data_table::{Cell, CellOf, DataTable, Definition};
+use bouncelab_report::data_table::{CellOf, DataTable, Definition};
 use bouncelab_report::define_columns;
 use bouncelab_report::messages::{self, Translator};
 use pyo3::prelude::*;

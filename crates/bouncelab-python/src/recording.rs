@@ -127,7 +127,10 @@ impl Recording {
 }
 
 /// The columns of draws: those of the posterior of a drop, one row for each; the last one only with drag.
-#[expect(clippy::type_complexity, reason = "an alias would fix the lifetime of the rows")]
+#[expect(
+    clippy::type_complexity,
+    reason = "an alias would fix the lifetime of the rows"
+)]
 const DRAWN: &[Definition<fn(&(&Draws, usize)) -> Cell>] = define_columns! { |row: (&Draws, usize)|
     restitution: Number [""] "restitution" = row.0.restitution.get(row.1).copied();
     drop_height_m: Number ["m"] "drop height" = row.0.drop_height_m.get(row.1).copied();

@@ -1,7 +1,7 @@
 //! The data of a chart as rows of one table, for other drawing programs.
 
 use super::{Chart, Shape};
-use crate::data_table::{Cell, CellOf, DataTable, Definition, Formulas};
+use crate::data_table::{CellOf, DataTable, Definition, Formulas};
 use crate::define_columns;
 
 /// A point, a bar, a piece of a band, a rule or a text of a chart. What does not apply is `None`.

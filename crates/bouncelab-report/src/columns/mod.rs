@@ -47,7 +47,10 @@ pub fn sentences(diagnostics: &[Diagnostic]) -> Option<String> {
 }
 
 /// The columns that say to which drop a row belongs: the name of its recording, and its number there.
-#[expect(clippy::type_complexity, reason = "an alias would fix the lifetime of the rows")]
+#[expect(
+    clippy::type_complexity,
+    reason = "an alias would fix the lifetime of the rows"
+)]
 pub const WHICH: &[Definition<fn(&(&str, usize)) -> Cell>] = define_columns! { |row: (&str, usize)|
     recording: Text [""] "the recording: its file, in a session relative to the folder" = Some(row.0.to_owned());
     drop: Count [""] "number of the drop in its recording, 1 for the first" = Some(row.1);
