@@ -22,21 +22,21 @@ pub(crate) struct Table(pub(crate) DataTable);
 
 #[pymethods]
 impl Table {
-    /// A table from what `bytes` gives.
+    /// A table from what `packed` gives.
     #[new]
-    fn from_bytes(bytes: &[u8]) -> Result<Self> {
-        let table = postcard::from_bytes(bytes);
+    fn from_packed(packed: &[u8]) -> Result<Self> {
+        let table = postcard::from_bytes(packed);
         table
             .map(Self)
             .map_err(|fault| Failure::Input(fault.to_string()))
     }
 
     fn __getnewargs__<'py>(&self, py: Python<'py>) -> Result<(Bound<'py, PyBytes>,)> {
-        Ok((self.bytes(py)?,))
+        Ok((self.packed(py)?,))
     }
 
     /// The table as bytes: those of equal tables are equal.
-    fn bytes<'py>(&self, py: Python<'py>) -> Result<Bound<'py, PyBytes>> {
+    fn packed<'py>(&self, py: Python<'py>) -> Result<Bound<'py, PyBytes>> {
         let bytes = postcard::to_allocvec(&self.0);
         let bytes = bytes.map_err(|fault| Failure::Input(fault.to_string()))?;
         Ok(PyBytes::new(py, &bytes))

@@ -143,7 +143,7 @@ class Table:
         return (Table, (self._core,))
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Table) and self._core.bytes() == other._core.bytes()
+        return isinstance(other, Table) and self._core.packed() == other._core.packed()
 
     def __repr__(self) -> str:
         names = ", ".join(column.name for column in self.columns)
