@@ -67,7 +67,7 @@ def _layer(ax: Axes, layer: Any) -> None:
                 ax.annotate(words, (x, y), color=colour)
         case "marks":
             ends = ax.get_xaxis_transform()
-            ax.plot(layer["places"], [1.0] * len(layer["places"]), "v", transform=ends, **look)
+            ax.plot(layer["positions"], [1.0] * len(layer["positions"]), "v", transform=ends, **look)
 
 
 def _columns(rows: Any, count: int) -> list[list[float]]:
