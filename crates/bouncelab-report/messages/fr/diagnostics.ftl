@@ -114,7 +114,7 @@ diagnostic-endless-drop = La balle monte encore à { $apex_m } après { $bounces
 diagnostic-too-few-flights = Un ajustement log-linéaire des temps de vol demande au moins 2 vols, et il y en a { $flights } ; utilisez un enregistrement d’au moins 3 impacts, ou une plus large plage de vols.
 diagnostic-too-few-drops = Il faut au moins { $needed } essais, et il y en a { $drops }.
 diagnostic-no-band = Aucune bande n’est au moins pour moitié { $range } Hz ; à cette fréquence d’échantillonnage, les bandes sont { $bands } Hz.
-diagnostic-settings-contradict = { $first } et { $second } se contredisent ; supprimez l’un des deux.
+diagnostic-settings-contradict = { $first } et { $second } se contredisent ; supprimez l’un des deux.
 diagnostic-not-in-order = { $what } numéro { $number } : ce numéro ne dépasse pas le précédent ; numérotez dans l’ordre, une fois chacun.
 diagnostic-no-channel = Il n’y a pas de voie { $channel } : l’enregistrement { $channels ->
     [1] n’en a qu’une
