@@ -34,7 +34,7 @@ if TYPE_CHECKING:
         Prediction,
         PriorContraction,
         Sampling,
-        Settings,
+        SettingsUsed,
         Share,
         Source,
         StrongestBand,
@@ -83,7 +83,7 @@ _PLACES = {
     "_data": (
         "BandPoint Budget Correlations Diagnostic Estimate ImpactPosterior ImpactRestitution "
         "LogLinearFit Measured Model PerImpact Posterior Prediction PriorContraction Sampling "
-        "Settings Share Source StrongestBand"
+        "SettingsUsed Share Source StrongestBand"
     ),
     "_detector": "Detector",
     "_errors": (
@@ -145,7 +145,7 @@ __all__ = [
     "Rule",
     "Sampling",
     "SessionError",
-    "Settings",
+    "SettingsUsed",
     "Share",
     "Simulation",
     "Sound",

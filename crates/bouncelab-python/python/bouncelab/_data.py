@@ -188,7 +188,7 @@ class StrongestBand:
 
 
 @dataclass(frozen=True)
-class Settings:
+class SettingsUsed:
     """What was known or assumed of ball, air and gravity.
 
     Attributes

@@ -16,7 +16,7 @@ from bouncelab._data import (
     LogLinearFit,
     PerImpact,
     Posterior,
-    Settings,
+    SettingsUsed,
     Source,
     StrongestBand,
     read,
@@ -65,9 +65,9 @@ class Recording(Documented):
         return read(Source, self._document["source"])
 
     @property
-    def settings(self) -> Settings:
+    def settings(self) -> SettingsUsed:
         """What was known or assumed."""
-        return read(Settings, self._document["settings"])
+        return read(SettingsUsed, self._document["settings"])
 
     @property
     def strongest_band(self) -> StrongestBand | None:

@@ -42,7 +42,7 @@ pub struct Document<'a> {
     /// Version of the program that made it.
     bouncelab: &'static str,
     recording: &'a str,
-    settings: Settings,
+    settings: SettingsUsed,
     #[serde(flatten)]
     result: &'a Recording,
 }
@@ -63,8 +63,7 @@ pub struct FailedDocument<'a> {
 /// The settings, given or assumed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
-#[cfg_attr(feature = "typescript", ts(rename = "SettingsUsed"))]
-pub(crate) struct Settings {
+pub(crate) struct SettingsUsed {
     ball_mass_kg: f64,
     ball_diameter_m: f64,
     contact_time_s: f64,
@@ -90,7 +89,7 @@ impl<'a> Document<'a> {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),
             recording,
-            settings: Settings::new(options, assumptions),
+            settings: SettingsUsed::new(options, assumptions),
             result,
         }
     }
@@ -112,7 +111,7 @@ impl<'a> FailedDocument<'a> {
     }
 }
 
-impl Settings {
+impl SettingsUsed {
     pub(crate) fn new(options: &Options, assumptions: &[Diagnostic]) -> Self {
         let environment = &options.environment;
         Self {

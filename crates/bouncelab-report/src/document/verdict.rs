@@ -7,7 +7,7 @@ use bouncelab::settings::Setup;
 use bouncelab::{Diagnostic, Estimate};
 use serde::Serialize;
 
-use super::Settings;
+use super::SettingsUsed;
 use crate::messages::Translator;
 
 /// Name and version of the schema.
@@ -20,7 +20,7 @@ pub struct VerdictDocument {
     /// Version of the program that made it.
     bouncelab: &'static str,
     rule: RuleUsed,
-    settings: Settings,
+    settings: SettingsUsed,
     decision: DecisionUsed,
     outcome: &'static str,
     /// That everything is within the limits.
@@ -119,7 +119,7 @@ impl VerdictDocument {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),
             rule: RuleUsed::from(rule),
-            settings: Settings::new(&setup.options, &setup.assumptions),
+            settings: SettingsUsed::new(&setup.options, &setup.assumptions),
             decision: DecisionUsed {
                 rule: match decision {
                     Decision::Guarded { .. } => "guarded",
