@@ -379,6 +379,10 @@ class Drops(Table):
     def __iter__(self) -> Iterator[Drop]:
         return (Drop(self._recording, place) for place in range(len(self)))
 
+    def __eq__(self, other: object) -> bool:
+        # Whatever their recordings are called.
+        return isinstance(other, Drops) and list(self) == list(other)
+
     def __reduce__(self) -> tuple[type[Drops], tuple[Recording]]:  # type: ignore[override]
         return (Drops, (self._recording,))
 
