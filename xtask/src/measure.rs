@@ -62,7 +62,7 @@ pub(crate) fn run(name: &str, arguments: &[String]) -> Result {
 
 /// Programs and their arguments in the check. What makes recordings comes before what takes them.
 const ON_LITTLE: [&[&str]; 8] = [
-    &["net", "drops=3"],
+    &["net", "drops=3", "out=net.txt"],
     &["calibrate", "2"],
     &["calibrate", "scenarios", "2", "true"],
     &["balls", "1"],

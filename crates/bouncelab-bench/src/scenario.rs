@@ -85,9 +85,9 @@ impl Scenario {
     }
 }
 
-/// Drops end at this many impacts unless fewer are asked for, or when flights get shorter than
-/// [`SHORTEST_FLIGHT_S`], as they do in recordings.
+/// Drops end at this many impacts unless fewer are asked for, as they do in recordings.
 pub const MAX_IMPACTS: usize = 40;
+/// Drops end before the first flight that is shorter than this.
 pub(crate) const SHORTEST_FLIGHT_S: f64 = 0.05;
 /// A drop with more impacts than this never rests.
 const MAX_BOUNCES: usize = 2000;

@@ -239,7 +239,10 @@ fn an_impact_before_time_zero_can_be_left_out() {
 fn contradictions_are_refused() {
     let contradictions: [(&[&str], &str); 7] = [
         (&["--known", "mass=1%,mass=2%"], "mass twice"),
-        (&["--known", "drag=1%", "--infer", "drag"], "infer drag"),
+        (
+            &["--known", "drag=1%", "--infer", "drag"],
+            "Infer drag and known drag contradict",
+        ),
         (&["--infer", "drag", "--drag", "none"], "drag none"),
         (&["--infer", "drag", "--air-density", "0"], "air density 0"),
         (
