@@ -4,7 +4,8 @@ use crate::Result;
 use crate::cargo::{cargo, run as run_command};
 
 /// The crates that stay in the repository.
-const UNPUBLISHED: [&str; 4] = [
+const UNPUBLISHED: [&str; 5] = [
+    "bouncelab-bench",
     "bouncelab-python",
     "bouncelab-testkit",
     "bouncelab-wasm",

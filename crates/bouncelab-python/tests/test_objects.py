@@ -86,6 +86,16 @@ def test_a_recording_of_sound_keeps_its_waveform(sound: bl.Sound) -> None:
     assert again.figure("waveform").svg() == recording.figure("waveform").svg()
 
 
+@pytest.mark.parametrize("ball", bl.presets(), ids=lambda ball: ball.name)
+def test_a_preset_means_the_same_as_its_name(ball: bl.Ball) -> None:
+    """What nobody measured stays as uncertain as the preset says, its contact time above all."""
+    by_name, by_object = (bl.analyze_times(TIMES_S, ball=it, draws=200).drops[0] for it in (ball.name, ball))
+    assert by_object.posterior == by_name.posterior
+    heavier = bl.analyze_times(TIMES_S, ball=dataclasses.replace(ball, mass_kg=1.01 * ball.mass_kg), draws=200)
+    weighed = bl.analyze_times(TIMES_S, ball=ball.name, mass_kg=1.01 * ball.mass_kg, draws=200)
+    assert heavier.drops[0].posterior == weighed.drops[0].posterior
+
+
 def test_results_cannot_be_changed(times: bl.Recording) -> None:
     with pytest.raises(dataclasses.FrozenInstanceError):
         times.drops[0].restitution.value = 1.0  # type: ignore[misc]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
-import re
 import subprocess
 from pathlib import Path
 
@@ -31,9 +30,8 @@ def test_a_posterior_has_the_numbers_of_the_document(times: bl.Recording) -> Non
 
 def test_results_have_the_fields_of_the_document(recording: bl.Recording) -> None:
     document, drop = recording.to_dict(), recording.drops[0]
-    for part in (recording.source, recording.settings, recording.strongest_band):
-        name = re.sub("(?<=[a-z])(?=[A-Z])", "_", type(part).__name__).lower()
-        assert_same_fields(part, document[name])
+    for name in ("source", "settings", "strongest_band"):
+        assert_same_fields(getattr(recording, name), document[name])
     for name in ("log_linear_fit", "per_impact", "posterior"):
         assert_same_fields(getattr(drop, name), drop.to_dict()[name])
 

@@ -212,10 +212,13 @@ def _of_ball(given: dict[str, object]) -> dict[str, object]:
         return {}
     if not isinstance(ball, Ball):
         return {"kind": text("ball", ball)}
-    contact = {"contact_time_s": ball.contact_time_s}
-    if any(ball.name == preset[0] for preset in _core.balls()):
-        return {"kind": ball.name} | contact
-    return {"mass_kg": ball.mass_kg, "diameter_m": ball.diameter_m} | contact
+    given_of_it = {name: getattr(ball, name) for name in ("mass_kg", "diameter_m", "contact_time_s")}
+    preset = next((Ball(*fields) for fields in _core.balls() if fields[0] == ball.name), None)
+    if preset is None:
+        return given_of_it
+    # Only what differs from the preset was measured; the rest is as uncertain as the preset says.
+    measured = {name: value for name, value in given_of_it.items() if value != getattr(preset, name)}
+    return {"kind": ball.name} | measured
 
 
 def _of_air(given: dict[str, object]) -> dict[str, object]:

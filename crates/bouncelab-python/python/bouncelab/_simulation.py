@@ -305,9 +305,11 @@ def synthesize(
         the impacts that is left out; level at which the sound is cut off.
     lead_in_s, tail_s : float
         Time before the release, and after the last impact.
-    height_m, launch_speed_m_s, until_m : float
+    height_m, launch_speed_m_s : float
         As of :func:`simulate`.
     restitution : float or str
+        As of :func:`simulate`.
+    until_m : float, optional
         As of :func:`simulate`.
     bounces : int, optional
         As of :func:`simulate`.
