@@ -118,7 +118,7 @@ describe.each(LANGUAGES.filter((code) => code !== 'en'))('in the language %s', (
       for (const [, said] of texts) expect(said).not.toMatch(ENGLISH);
     }
     expect((await content('PNG')).slice(1, 4)).toBe('PNG');
-    expect(await content(words('page-keep-csv'))).toMatch(/^file,drop,/);
+    expect(await content(words('page-keep-csv'))).toMatch(/^recording,drop,/);
     const document = JSON.parse(await content(words('page-keep-json')));
     expect(document.drops[0].diagnostics[0].message).not.toMatch(ENGLISH);
   });

@@ -34,6 +34,7 @@ report-line-says = Die Ausgleichsgerade durch die Logarithmen der Flugzeiten, oh
 
 report-answers = Schätzung mit Luft, und Ausgleichsgerade ohne
 report-quantities = Weitere Größen
+report-quantities-table = Weitere Größen, mit dem Verfahren zu jeder
 report-impacts-heading = Die Aufpralle
 report-impacts-table = Aufpralle, jeder mit dem Flug danach und seiner Stoßzahl, ohne Luft gerechnet und mit ihr (? heißt unsicher)
 report-line-heading = Die Ausgleichsgerade

@@ -36,6 +36,7 @@ report-line-says = The log-linear fit of the flight times, which neglects the ai
 
 report-answers = Inference with air, and log-linear fit without
 report-quantities = Other quantities
+report-quantities-table = Other quantities, with the method of each
 report-impacts-heading = The impacts
 report-impacts-table = Impacts with the following flight, and restitution without and with correction for drag (? marks uncertain impacts)
 report-line-heading = The log-linear fit

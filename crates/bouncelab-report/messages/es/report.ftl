@@ -34,6 +34,7 @@ report-line-says = El ajuste log-lineal de los tiempos de vuelo, que no cuenta e
 
 report-answers = Inferencia con aire, y ajuste log-lineal sin aire
 report-quantities = Otras magnitudes
+report-quantities-table = Otras magnitudes, con el método de cada una
 report-impacts-heading = Los impactos
 report-impacts-table = Impactos con el vuelo siguiente, y restitución sin y con corrección del arrastre (? señala los impactos dudosos)
 report-line-heading = El ajuste log-lineal

@@ -34,6 +34,7 @@ report-line-says = L’ajustement log-linéaire des temps de vol, qui néglige l
 
 report-answers = Inférence avec air, et ajustement log-linéaire sans air
 report-quantities = Autres grandeurs
+report-quantities-table = Autres grandeurs, avec la méthode de chacune
 report-impacts-heading = Les impacts
 report-impacts-table = Impacts avec le vol qui suit, et restitution sans et avec correction de la traînée (« ? » signale les impacts incertains)
 report-line-heading = L’ajustement log-linéaire

@@ -234,8 +234,9 @@ fn other_quantities(lists: &[QuantityList], translator: &Translator) -> Section 
             table.row(cells(list, row));
         }
     }
+    let caption = translator.text("report-quantities-table");
+    let blocks = (!table.is_empty()).then(|| Block::table(caption, table));
     let heading = translator.text("report-quantities");
-    let blocks = (!table.is_empty()).then(|| Block::table(heading.clone(), table));
     Section::new(heading, blocks.into_iter().collect())
 }
 

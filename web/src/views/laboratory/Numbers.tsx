@@ -34,14 +34,15 @@ function Lists({ lists }: { readonly lists: readonly QuantityList[] }) {
   return (
     <>
       {lists.map(({ method, heading, rows }) => (
-        <section key={method} aria-label={heading}>
+        // No landmark: two lists may be of the same method.
+        <div key={method}>
           <p class="small listed">{heading}</p>
           <dl class="facts">
             {rows.map((row) => (
               <Row key={`${row.id} ${row.name}`} row={row} />
             ))}
           </dl>
-        </section>
+        </div>
       ))}
     </>
   );
