@@ -21,7 +21,6 @@ pub(crate) struct Autoregression {
 
 impl Autoregression {
     /// Learns from a stretch of background; `noise_power` is the minimum power of its noise.
-    #[inline(always)]
     pub(crate) fn learn(samples: &[f32], noise_power: f64) -> Self {
         let (mean, mut covariance) = moments(samples);
         // White noise adds to the covariance at lag 0 alone. Digital silence, whose covariance is zero, predicts zero.
@@ -55,7 +54,6 @@ impl Autoregression {
     }
 
     /// The prediction errors of all samples but the first `ORDER`.
-    #[inline(always)]
     pub(crate) fn errors(&self, samples: &[f32]) -> Vec<f32> {
         let centre = |&v: &f32| (f64::from(v) - self.mean) as f32;
         let centred: Vec<f32> = samples.iter().map(centre).collect();
@@ -71,7 +69,6 @@ impl Autoregression {
 }
 
 /// Mean and autocovariance.
-#[inline(always)]
 fn moments(samples: &[f32]) -> (f64, [f64; ORDER + 1]) {
     let n = samples.len().max(1) as f64;
     let mean = samples.iter().map(|&v| f64::from(v)).sum::<f64>() / n;

@@ -64,7 +64,6 @@ impl Envelope {
     }
 
     /// Takes the next samples; returns their extremes.
-    #[inline(always)]
     pub(super) fn push(&mut self, samples: &[f32]) -> Extremes {
         // The first samples complete the last step.
         let missing = self.samples_per_step - self.in_step;
@@ -106,7 +105,6 @@ pub(super) struct Extremes {
 
 impl Extremes {
     /// Of these samples.
-    #[inline(always)]
     fn of(samples: &[f32]) -> Self {
         Self {
             min: extreme(samples, lesser),
@@ -128,7 +126,6 @@ impl Extremes {
 }
 
 /// The most extreme of these samples, in lanes that fill wide registers; infinite without samples.
-#[inline(always)]
 fn extreme(samples: &[f32], pick: impl Fn(f32, f32) -> f32) -> f32 {
     const LANES: usize = 8;
     let nothing = -pick(f32::INFINITY, f32::NEG_INFINITY);
@@ -151,13 +148,11 @@ fn keep_of_pairs(values: &mut Vec<f32>, pick: impl Fn(f32, f32) -> f32) {
 }
 
 /// Faster than `f32::min`, which takes care of NaN: one instruction.
-#[inline(always)]
 fn lesser(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
 /// Faster than `f32::max`, as [`lesser`].
-#[inline(always)]
 fn greater(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }

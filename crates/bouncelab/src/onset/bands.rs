@@ -135,7 +135,6 @@ impl FilterBank {
     }
 
     /// Mean square of each band in each hop of the next frame of samples.
-    #[inline(always)]
     pub(super) fn energies(&mut self, frame: &[f32]) -> FrameEnergies {
         if !self.has_begun {
             self.has_begun = true;
@@ -211,7 +210,6 @@ impl LowBands {
     }
 
     /// Mean square of each band in each hop.
-    #[inline(always)]
     fn energies(&mut self, samples: &[f32], energies: &mut FrameEnergies) {
         let length = samples.len() / FRAME_HOPS;
         let offset = self.offset - DENORMAL_GUARD;

@@ -37,7 +37,6 @@ impl Quantile {
         }
     }
 
-    #[inline(always)]
     pub(super) fn push(&mut self, value: f32) {
         // The sign bit is masked: minus zero is zero.
         let code = (value.to_bits() >> SHIFT) as u16 & (BINS - 1) as u16;
@@ -104,7 +103,6 @@ impl QuantisationStep {
     }
 
     /// Takes samples that follow each other, for the smallest step between them.
-    #[inline(always)]
     pub(super) fn measure(&mut self, samples: &[f32]) {
         const LANES: usize = 16;
         let (Some(first), Some(last)) = (samples.first(), samples.last()) else {

@@ -400,7 +400,6 @@ impl OnsetDetector {
 }
 
 /// The same samples; those that are not finite become 0.
-#[inline(always)]
 pub(crate) fn finite(samples: &[f32]) -> Cow<'_, [f32]> {
     // 0 x is 0 for a finite x and NaN for any other. Without an early exit the loop runs in wide registers.
     const LANES: usize = 16;

@@ -123,7 +123,6 @@ impl HopEnergies {
 
     /// Takes the energies of the next frame; `noise_power` is that of rounding. Appends the
     /// moments that can now be evaluated and whose strength is at least `min_strength`.
-    #[inline(always)]
     pub(super) fn push(
         &mut self,
         energies: &FrameEnergies,
@@ -187,7 +186,6 @@ impl HopEnergies {
 
     /// Continues the sums. All bands side by side: each addition waits for the one before, so one band alone would leave
     /// the processor idle.
-    #[inline(always)]
     fn add(&mut self, energies: &FrameEnergies) {
         self.first += FRAME_HOPS;
         if self.first + self.history + FRAME_HOPS >= self.sums[0].len() {
@@ -252,7 +250,6 @@ impl HopEnergies {
 }
 
 impl Band {
-    #[inline(always)]
     fn push(&mut self, energies: &[f32; FRAME_HOPS], noise_power: f64) {
         for hops in energies.chunks_exact(FLOOR_HOPS) {
             let mean: f32 = hops.iter().sum::<f32>() / FLOOR_HOPS as f32;
@@ -267,7 +264,6 @@ impl Band {
     ///
     /// For x > 0, ln(1 + x) < x (6 + x) / (6 + 4 x) (the Padé approximant of order 2/1), and hardly less while x is small:
     /// so nearly all moments need no logarithm.
-    #[inline(always)]
     fn add_bound(&self, sums: &[f64], first: usize, bounds: &mut [f32; FRAME_HOPS]) {
         let sums_from = |from: usize| &sums[from..][..FRAME_HOPS];
         let (now, end, start) = (

@@ -88,7 +88,6 @@ impl Octaves {
 
     /// Takes the next frame; returns its low frequencies at the lowest rate, which are delayed less than the
     /// squares.
-    #[inline(always)]
     pub(super) fn push(&mut self, frame: &[f32]) -> &[f32] {
         let mut sound = frame;
         for level in &mut self.levels {
@@ -101,7 +100,6 @@ impl Octaves {
     }
 
     /// Adds the mean squares of each hop in the upper half of a level to `energies`.
-    #[inline(always)]
     pub(super) fn add_energies(&self, level: usize, energies: &mut [f32]) {
         let (squares, delay, scale) = if let Some(level) = self.levels.get(level) {
             (&level.pairs, level.delay, 0.5)
@@ -124,7 +122,6 @@ impl Octaves {
 }
 
 /// Adds the mean of each chunk of values, times `scale`.
-#[inline(always)]
 fn add_means<const LENGTH: usize>(chunks: &[[f32; LENGTH]], scale: f32, means: &mut [f32]) {
     let scale = scale / LENGTH as f32;
     for (mean, values) in means.iter_mut().zip(chunks) {
@@ -132,7 +129,6 @@ fn add_means<const LENGTH: usize>(chunks: &[[f32; LENGTH]], scale: f32, means: &
     }
 }
 
-#[inline(always)]
 fn sum(values: &[f32]) -> f32 {
     let quads = values.chunks_exact(4);
     let rest: f32 = quads.remainder().iter().sum();
@@ -144,7 +140,6 @@ fn sum(values: &[f32]) -> f32 {
 
 impl Level {
     /// Takes the next samples, squares their upper half and keeps the lower half.
-    #[inline(always)]
     fn split(&mut self, samples: &[f32]) {
         let length = self.low.len();
         self.even.copy_within(length.., 0);
@@ -175,7 +170,6 @@ struct Taps<'a> {
 }
 
 impl<'a> Taps<'a> {
-    #[inline(always)]
     fn new(values: &'a [f32]) -> Self {
         let length = values.len() - REACH;
         Self {
@@ -184,7 +178,6 @@ impl<'a> Taps<'a> {
     }
 
     /// The weighted sum of the six neighbours.
-    #[inline(always)]
     fn around(&self, j: usize) -> f32 {
         WEIGHTS[0] * (self.at[2][j] + self.at[3][j])
             + WEIGHTS[1] * (self.at[1][j] + self.at[4][j])
@@ -193,14 +186,12 @@ impl<'a> Taps<'a> {
 }
 
 impl LastLevel {
-    #[inline(always)]
     fn take(&mut self, samples: &[f32]) {
         let length = samples.len();
         self.samples.copy_within(length.., 0);
         self.samples[2 * REACH..].copy_from_slice(samples);
     }
 
-    #[inline(always)]
     fn square(&mut self) {
         let length = self.squares.len();
         let at = |first: usize| &self.samples[first..][..length];

@@ -60,7 +60,6 @@ impl Picker {
     }
 
     /// The onset near sample `rough`; `noise_power` is the minimum power of noise.
-    #[inline(always)]
     pub(super) fn pick(&mut self, samples: &[f32], rough: usize, noise_power: f64) -> Pick {
         let end = (rough + self.after).min(samples.len());
         let start = rough.saturating_sub(self.before).max(ORDER);
@@ -108,7 +107,6 @@ impl Picker {
 
     /// Where the variance changes among the errors from `first` on, the first of which is that of
     /// sample `start`.
-    #[inline(always)]
     fn change_point(&mut self, start: usize, first: usize) -> Pick {
         let energy = &self.error_energy[first..];
         let n = energy.len() - 1;
@@ -151,7 +149,6 @@ impl Picker {
 
 /// The natural logarithm of a positive number to six digits, in plain arithmetic, which the compiler runs in wide
 /// registers. With x = 2^k m, ln x = k ln 2 + 2 artanh((m - 1)/(m + 1)), by its series.
-#[inline(always)]
 fn ln(x: f32) -> f32 {
     /// The mantissa lies between the square roots of 1/2 and 2.
     const MIN_MANTISSA: u32 = std::f32::consts::FRAC_1_SQRT_2.to_bits();
