@@ -26,7 +26,7 @@ interface Moment {
 
 /** From the press of "Keep this drop" to "3 s are saved": the press of "try the demo" is the first of all. */
 const EVENTS = { first: 1, count: 6 };
-const MOST_FRAMES = 45;
+const MAX_FRAMES = 45;
 
 /** The same moments in every run, from a congruential generator. */
 function moments(count: number, seed: number): Moment[] {
@@ -37,7 +37,7 @@ function moments(count: number, seed: number): Moment[] {
   };
   return Array.from({ length: count }, () => ({
     event: EVENTS.first + below(EVENTS.count),
-    frames: below(MOST_FRAMES),
+    frames: below(MAX_FRAMES),
   }));
 }
 

@@ -112,7 +112,7 @@ const USES = FONT_SETS.flatMap((fonts) => READERS.map((reader) => ({ fonts, read
 );
 
 /** As long as a test may take that sees all there is; tests wait for states, so this is only for what hangs. */
-const MOST_OF_A_TOUR_MS = 900_000;
+const MAX_TOUR_MS = 900_000;
 
 describe.each(USES)(
   'on a $screen, $colorScheme, $locale, with $set',
@@ -160,7 +160,7 @@ describe.each(USES)(
         expect(troubles).toEqual([]);
         await page.context().close();
       },
-      MOST_OF_A_TOUR_MS,
+      MAX_TOUR_MS,
     );
   },
 );

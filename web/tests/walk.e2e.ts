@@ -8,7 +8,7 @@ import { announced, announcing, focused, hiddenFocus } from './support/reader.ts
 const here = fixture();
 
 /** Nothing that can be reached is further away than this. */
-const MOST_STEPS = 80;
+const MAX_STEPS = 80;
 
 /** Presses a key, after which this has the keyboard, and is seen. */
 async function press(page: Page, key: string, expected: string): Promise<void> {
@@ -26,7 +26,7 @@ async function isSeen(page: Page, focus: string): Promise<void> {
 async function tabTo(page: Page, expected: string): Promise<void> {
   const passed: string[] = [];
   while (passed.at(-1) !== expected) {
-    expect(passed.length, `${expected} was not found: ${passed}`).toBeLessThan(MOST_STEPS);
+    expect(passed.length, `${expected} was not found: ${passed}`).toBeLessThan(MAX_STEPS);
     await page.keyboard.press('Tab');
     const now = await focused(page);
     expect(now, `after ${passed.at(-1)}`).toMatch(/^\w+ ".+"$/);

@@ -20,7 +20,7 @@ use rand_distr::StandardNormal;
 
 const TIME_SD_S: f64 = 5e-5;
 const SCATTER: f64 = 0.003;
-const MOST_IMPACTS: usize = 30;
+const MAX_IMPACTS: usize = 30;
 const SHORTEST_FLIGHT_S: f64 = 0.06;
 
 /// From which heights the balls are dropped: in words, and the lowest and the highest in metres.
@@ -125,7 +125,7 @@ fn drop(
     let mut speed_m_s = model.fall(height_m)?.impact_speed_m_s;
     let mut time_s = 0.0;
     let mut impacts = Vec::new();
-    for number in 1..=MOST_IMPACTS {
+    for number in 1..=MAX_IMPACTS {
         let off: f64 = rng.sample(StandardNormal);
         let impact = Impact::new(number, time_s + TIME_SD_S * off);
         impacts.push(impact.with_time_sd_s(TIME_SD_S));

@@ -1,5 +1,5 @@
 //! How long a call takes: `cargo run --release -p bouncelab-bench -- call drop.f32 44100 1000 20` analyses the samples of a
-//! file, one channel as 32-bit floats, as often as that with so many draws, and prints the seconds of each.
+//! file, one channel as 32-bit floats, repeated that often with that number of draws, and prints the seconds of each.
 //! `crates/bouncelab-python/benchmarks/measure.py` compares them with those of Python.
 
 use std::time::Instant;

@@ -129,7 +129,7 @@ const CALLS: [&str; 9] = [
 ];
 
 /// Of the calls of one kind, at most so many fail, spread over all of them.
-const MOST_FAULTS: usize = 20;
+const MAX_FAULTS: usize = 20;
 
 /// A folder with two recordings of a drop, and one for outputs.
 struct Workspace(TempDir);
@@ -284,7 +284,7 @@ fn faults(calls: &[Call], outputs: &str) -> Vec<(String, usize)> {
     let spread = output.into_iter().flat_map(|(kind, numbers)| {
         let others = other.remove(kind).unwrap_or_default();
         let numbers: Vec<usize> = numbers.difference(&others).copied().collect();
-        let step = numbers.len().div_ceil(MOST_FAULTS).max(1);
+        let step = numbers.len().div_ceil(MAX_FAULTS).max(1);
         let spread = numbers.into_iter().step_by(step);
         spread.map(|number| (kind.to_owned(), number))
     });

@@ -8,8 +8,8 @@ use pyo3::types::PySlice;
 
 use crate::failure::Result;
 
-/// So many samples are copied at once: a few milliseconds of work, in 1 MB.
-const MOST_COPIED: usize = 1 << 18;
+/// Number of samples copied at once: a few milliseconds of work, in 1 MB.
+const MAX_COPIED: usize = 1 << 18;
 
 /// An array of frames, each with a sample of every channel: 32-bit floats in the order of C. It is read in
 /// blocks, so that it is never copied as a whole, and another thread that writes to it does no harm.
@@ -32,7 +32,7 @@ impl Frames {
     /// The blocks in which to read.
     pub(crate) fn blocks(&self) -> impl Iterator<Item = Range<usize>> + use<> {
         let length = self.length;
-        let step = (MOST_COPIED / self.channels.max(1)).max(1);
+        let step = (MAX_COPIED / self.channels.max(1)).max(1);
         (0..length)
             .step_by(step)
             .map(move |start| start..length.min(start + step))

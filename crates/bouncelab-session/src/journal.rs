@@ -23,7 +23,7 @@ pub const JOURNAL: &str = "journal.jsonl";
 /// The text behind the checksum of every line.
 const NAMED: &str = " {\"name\":";
 
-/// Number of results after which the file is synced to the disk: a loss of power takes at most so many.
+/// Number of results after which the file is synced to the disk: a loss of power loses at most this number.
 const SYNC_EVERY: usize = 50;
 
 /// Maximum length of a line in bytes; the result of an hour of drops has some megabytes.

@@ -15,11 +15,11 @@ use crate::error::{Error, Result};
 use crate::name;
 
 /// No table of notes is longer, or has more columns.
-const MOST_MB: u64 = 16;
-const MOST_COLUMNS: usize = 1_000;
+const MAX_MB: u64 = 16;
+const MAX_COLUMNS: usize = 1_000;
 
 /// Nor more cells with something in them, each of which is a note in memory.
-const MOST_CELLS: usize = 500_000;
+const MAX_CELLS: usize = 500_000;
 
 /// A statement and who made it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -174,7 +174,7 @@ impl<'a> Lines<'a> {
 /// Commas, semicolons or tabs separate; a heading may end in a unit in brackets, as in
 /// "height (cm)"; an empty cell says nothing.
 pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
-    let text = text_of(path, MOST_MB)?;
+    let text = text_of(path, MAX_MB)?;
     let header = text
         .lines()
         .find(|line| !line.is_empty())
@@ -192,9 +192,9 @@ pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
         .iter()
         .map(heading)
         .collect();
-    if headings.len() > MOST_COLUMNS {
+    if headings.len() > MAX_COLUMNS {
         let columns = headings.len();
-        let problem = format!("has {columns} columns (at most {MOST_COLUMNS} are read)");
+        let problem = format!("has {columns} columns (at most {MAX_COLUMNS} are read)");
         return Err(Error::notes(path, Some(1), problem));
     }
     let mut fields = BTreeSet::new();
@@ -246,9 +246,9 @@ pub(crate) fn read_csv(path: &Path) -> Result<Listed> {
                 });
         let notes: Notes = notes.collect();
         noted += notes.len();
-        if noted > MOST_CELLS {
+        if noted > MAX_CELLS {
             let problem =
-                format!("has more than {MOST_CELLS} cells; leave out columns or recordings");
+                format!("has more than {MAX_CELLS} cells; leave out columns or recordings");
             return Err(Error::notes(path, line, problem));
         }
         let recording = record.get(named).unwrap_or_default().to_owned();

@@ -10,7 +10,7 @@ use cap::Cap;
 #[global_allocator]
 static ALLOCATOR: Cap<System> = Cap::new(System, 256 << 20);
 
-/// So many mutations of each input are tried.
+/// Number of mutations of each input.
 const MUTATIONS: usize = 8;
 
 #[test]

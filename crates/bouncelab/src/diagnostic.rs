@@ -407,11 +407,11 @@ codes! {
     RuleOtherHeight = "rule-other-height", Info, ["dropped_m", "rule_m"];
     /// The rule's impact is faster than any detected.
     RuleExtrapolated = "rule-extrapolated", Warning, ["factor"];
-    /// So few drops hardly show how drops differ.
+    /// There are too few drops to show how drops differ.
     VerdictOfFewDrops = "verdict-of-few-drops", Info, ["drops"];
 }
 
-/// By the name: code of derived traits for so many variants is large.
+/// By the name: derived traits for this number of variants compile to much code.
 #[cfg(feature = "serde")]
 impl serde::Serialize for Code {
     fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {

@@ -22,7 +22,7 @@ impl Kind {
         }
     }
 
-    /// So many samples of it at this rate, mean square 1.
+    /// The given number of samples of it at this rate, mean square 1.
     pub(crate) fn samples(self, count: usize, sample_rate_hz: u32, seed: u64) -> Vec<f32> {
         let rate = f64::from(sample_rate_hz);
         let mut rng = ChaCha8Rng::seed_from_u64(seed ^ 0x5eed);

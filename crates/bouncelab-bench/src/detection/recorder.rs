@@ -4,7 +4,7 @@ use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, Rendered, Scene};
 use std::f64::consts::PI;
 
-/// So many times the sample rate is close enough to no sampling at all.
+/// Oversampling: this multiple of the sample rate is close enough to continuous time.
 const OVERSAMPLED: usize = 4;
 /// Half the length of the filter, in samples of the recording.
 const REACH: usize = 32;
@@ -50,7 +50,7 @@ pub(crate) fn record(strikes: &[ImpactEvent], scene: &Scene, seed: u64) -> Recor
     }
 }
 
-/// So many samples, one of `OVERSAMPLED` each, of what a windowed sinc passes.
+/// Length of the windowed sinc in output samples, of `OVERSAMPLED` input samples each.
 fn filter(fine: &[f32], length: usize) -> Vec<f32> {
     let reach = REACH * OVERSAMPLED;
     let kernel: Vec<f32> = (0..=2 * reach)

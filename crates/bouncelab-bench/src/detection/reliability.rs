@@ -21,7 +21,7 @@ struct Class {
 }
 
 impl Reliability {
-    /// Counts a drop of whose impacts so many are real; it is real itself if they are half of all at least.
+    /// Counts a drop with this number of real impacts; the drop is real if at least half of its impacts are.
     pub(crate) fn add(&mut self, train: &Train, real_impacts: usize) {
         let probability = train.probability();
         let class = CLASSES.iter().rposition(|(least, _)| probability >= *least);

@@ -91,7 +91,7 @@ fn row(
     );
 }
 
-/// The expectations for which so few and so many events have at least 2.5 % each.
+/// The 95 % confidence interval of the expectation of a Poisson distribution, by a count of events (Garwood 1936).
 fn poisson_interval(count: u32) -> (f64, f64) {
     /// One side of the rest.
     const TAIL: f64 = 0.025;

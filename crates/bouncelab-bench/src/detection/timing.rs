@@ -9,10 +9,10 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 /// Impacts this far above the noise count, in dB.
-const LEAST_SNR_DB: f64 = 10.0;
+const MIN_SNR_DB: f64 = 10.0;
 /// What the bound makes use of: this time of each impact, in seconds.
 const USED_S: f64 = 0.008;
-/// The fixed level that the whole sound is compared with: so many times the noise, which exceeds
+/// The fixed level that the whole sound is compared with, as a multiple of the noise, which exceeds
 /// it once in a while.
 const THRESHOLD: f64 = 5.0;
 /// Median of the size of a normal error, in standard deviations.
@@ -100,7 +100,7 @@ fn time(voice: &str, snr_db: f64, phase_scatter_rad: f64, seed: u64) -> Vec<Time
     };
     let mut timed: Vec<Timed> = Vec::new();
     for (index, truth) in sound.impacts.iter().enumerate() {
-        if truth.snr_db < LEAST_SNR_DB {
+        if truth.snr_db < MIN_SNR_DB {
             continue;
         }
         let errors = train

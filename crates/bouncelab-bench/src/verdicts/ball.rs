@@ -26,7 +26,7 @@ const TIMING_S: f64 = 5e-5;
 const SCATTER: f64 = 0.004;
 /// How much restitution may change with speed, as the exponent of a power law.
 const EXPONENT_SD: f64 = 0.03;
-const MOST_IMPACTS: usize = 30;
+const MAX_IMPACTS: usize = 30;
 
 /// How balls are tried.
 #[derive(Clone, Copy, Debug)]
@@ -130,7 +130,7 @@ impl RealBall {
             |speed_m_s| self.law.at(speed_m_s) * livelier * (SCATTER * normal(chance)).exp();
         let strikes: Vec<ImpactEvent> =
             bouncing(self.model, self.contact_time_s, first_m_s, restitution)
-                .take(MOST_IMPACTS)
+                .take(MAX_IMPACTS)
                 .collect();
         let impacts = strikes.iter().zip(1..).map(|(strike, number)| {
             let time_s = strike.time_s + TIMING_S * normal(chance);

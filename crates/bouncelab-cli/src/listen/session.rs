@@ -244,7 +244,7 @@ impl<'a> Session<'a> {
     }
 
     fn fill_gap(&mut self, frames: usize, certain: bool) -> Result<(), Failure> {
-        /// So much silence is made at once.
+        /// Length of the silence that is made at once.
         const BLOCK: usize = 1 << 16;
         if self.lost_frames == 0 && self.gaps().is_empty() {
             self.screen.say(&text("listen-lost"));

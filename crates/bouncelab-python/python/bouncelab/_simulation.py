@@ -230,7 +230,7 @@ def simulate(
     until_m : float, optional
         Stop when the ball rises no higher; 1 mm, unless ``bounces`` is given.
     bounces : int, optional
-        Stop after so many bounces.
+        Stop after this number of bounces.
     **settings
         Ball, air, drag and gravity, as of :func:`analyze`.
 
@@ -301,7 +301,7 @@ def synthesize(
     noise : str
         ``"pink"`` or ``"white"``.
     hum_hz, reverb_s, clicks_per_s, lost, clip_at : float, optional
-        Mains hum of a frequency; reverberation time; clicks that are no impact, so many a second; share of
+        Mains hum of a frequency; reverberation time; clicks that are no impact, in clicks per second; share of
         the impacts that is left out; level at which the sound is cut off.
     lead_in_s, tail_s : float
         Time before the release, and after the last impact.

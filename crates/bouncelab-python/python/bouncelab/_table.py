@@ -159,13 +159,13 @@ class Table:
 
         columns = self.to_dict()
         head = "".join(f"<th>{escape(name)}</th>" for name in columns)
-        rows = zip(*(values[:MOST_ROWS] for values in columns.values()), strict=True)
+        rows = zip(*(values[:MAX_ROWS] for values in columns.values()), strict=True)
         body = "".join(f"<tr>{''.join(map(cell, row))}</tr>" for row in rows)
-        more = f"<p>{len(self)} rows</p>" if len(self) > MOST_ROWS else ""
+        more = f"<p>{len(self)} rows</p>" if len(self) > MAX_ROWS else ""
         return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>{more}"
 
 
-#: A notebook shows so many rows of a table.
-MOST_ROWS = 20
+#: Maximum number of rows of a table that a notebook shows.
+MAX_ROWS = 20
 
 

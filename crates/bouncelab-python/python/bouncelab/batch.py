@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 __all__ = ["MEAN", "Kernel", "KernelOptions", "explode", "kernel", "manifest", "mean", "study"]
 
-#: So many rows are given at once: a megabyte or two.
+#: Number of rows in a batch: a megabyte or two.
 ROWS_AT_ONCE = 50
 
 

@@ -57,7 +57,7 @@ def analyze(
     settings : KernelOptions, optional
         As of :func:`bouncelab.batch.kernel`.
     rows_per_block : int
-        At most so many recordings of each worker are analysed again after it was killed.
+        At most this number of recordings of each worker is analysed again after it was killed.
     progress : optional
         As of :func:`bouncelab.analyze`.
 

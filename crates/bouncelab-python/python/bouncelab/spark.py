@@ -57,7 +57,7 @@ def analyze(
         Whether Spark reads the files, as from an object store, or the kernel, under a path that all workers
         see; unless stated, Spark does where the source is no such path.
     files_per_trigger, files_per_task : int
-        At most so many recordings are analysed again after a driver, or the process of a task, was killed.
+        At most this number of recordings is analysed again after a driver, or the process of a task, was killed.
     """
     root = fspath(source)
     kernel = batch.kernel(settings, root=root)

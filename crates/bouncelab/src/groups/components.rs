@@ -31,7 +31,7 @@ pub struct Trend {
     pub degrees: f64,
     /// Where the slope lies with 95 % confidence.
     pub interval95: [f64; 2],
-    /// Probability of so large a slope if there is none.
+    /// Probability of a slope at least as large if the true slope is zero (the p value).
     pub p_value: f64,
 }
 

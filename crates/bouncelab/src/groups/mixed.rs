@@ -189,11 +189,11 @@ impl Mixed {
     /// Where the restricted log-likelihood, the other variances at their best, lies within half the
     /// 95 % quantile of chi-squared with one degree of freedom.
     fn profile(&self, place: usize) -> Option<[f64; 2]> {
-        /// Beyond so many times the spread of the values no variance makes sense.
+        /// Upper limit of a standard deviation, as a multiple of the spread of the values.
         const FARTHEST: f64 = 100.0;
         /// Where a best of zero begins to be left, as a part of the spread.
         const NEAREST: f64 = 1e-3;
-        /// So far below the cut no height is told from another.
+        /// Below this log-likelihood relative to the cut the profile is flat to rounding.
         const DEEP: f64 = -10.0;
         let cut = self.fit.log_likelihood - 0.5 * chi_squared(0.95, 1.0);
         let above = |sd: f64| {

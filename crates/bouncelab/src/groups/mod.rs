@@ -48,5 +48,5 @@ pub use curve::{CurvePoint, RestitutionCurve};
 pub use mean::Mean;
 pub use mixed::{Component, Drop, Factor, Mixed};
 pub use outlier::{OUTLIER_THRESHOLD, Outlier, outliers};
-pub use plan::{MOST_DROPS, drops_needed, run_limit};
+pub use plan::{MAX_DROPS, drops_needed, run_limit};
 pub use study::{Group, MeanAtSpeed, Study, StudyDrop};

@@ -4,14 +4,14 @@ use super::mean::Mean;
 use super::quantile::student;
 
 /// Upper limit of the number of drops.
-pub const MOST_DROPS: usize = 100_000;
+pub const MAX_DROPS: usize = 100_000;
 
 /// How many drops of this kind, those made included, give the mean a 95 % interval of plus or minus
 /// `half_width`.
 ///
 /// The scatter is taken as this group shows it, with Student's t for so many drops (Cochran,
 /// *Sampling Techniques*, 1977, chapter 4, with t for z). `None` if a single drop cannot tell the
-/// scatter, if the half width is not above zero, or if it takes more than [`MOST_DROPS`].
+/// scatter, if the half width is not above zero, or if it takes more than [`MAX_DROPS`].
 ///
 /// ```
 /// use bouncelab::inference::Measured;
@@ -33,10 +33,10 @@ pub fn drops_needed(mean: &Mean, half_width: f64) -> Option<usize> {
         let drops = drops as f64;
         student(0.975, drops - 1.0) * one / drops.sqrt() <= half_width
     };
-    if !enough(MOST_DROPS) {
+    if !enough(MAX_DROPS) {
         return None;
     }
-    let (mut few, mut many) = (1, MOST_DROPS);
+    let (mut few, mut many) = (1, MAX_DROPS);
     while many - few > 1 {
         let middle = usize::midpoint(few, many);
         if enough(middle) {

@@ -4,7 +4,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF, StudentsT};
 
 use crate::inference::Measured;
 
-/// So many degrees of freedom make a t distribution a normal one, to six digits.
+/// From this number of degrees of freedom on a t distribution equals the normal one to six digits.
 const NORMAL: f64 = 1e6;
 
 /// The value below which a share of Student's t distribution lies.
@@ -14,7 +14,7 @@ pub(super) fn student(share: f64, degrees: f64) -> f64 {
     StudentsT::new(0.0, 1.0, degrees.min(NORMAL)).map_or(f64::NAN, |t| t.inverse_cdf(share))
 }
 
-/// Where a value with so many degrees of freedom behind its standard error lies with 95 % confidence.
+/// The 95 % confidence interval of a value whose standard error has this number of degrees of freedom.
 pub(super) fn interval95(measured: Measured, degrees: f64) -> [f64; 2] {
     let half = student(0.975, degrees) * measured.sd;
     [measured.value - half, measured.value + half]

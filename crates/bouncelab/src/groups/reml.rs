@@ -185,14 +185,14 @@ impl Design {
     /// the average information, damped where that leads down (D. W. Marquardt, J. Soc. Ind. Appl. Math. 11, 431,
     /// 1963).
     pub(super) fn climb(&self, start: Vec<f64>, held: Option<usize>) -> Option<(Vec<f64>, Fit)> {
-        const MOST_STEPS: usize = 100;
-        const LEAST_DAMPING: f64 = 1e-6;
+        const MAX_STEPS: usize = 100;
+        const MIN_DAMPING: f64 = 1e-6;
         /// Far beyond the greatest likelihood differences of large numbers are left of it.
-        const MOST_GROWTH: f64 = 10.0;
+        const MAX_GROWTH: f64 = 10.0;
         let mut fit = self.fit(&start)?;
         let mut variances = start;
-        let mut damping = LEAST_DAMPING;
-        for _ in 0..MOST_STEPS {
+        let mut damping = MIN_DAMPING;
+        for _ in 0..MAX_STEPS {
             let may_move = |&place: &usize| {
                 Some(place) != held && (variances[place] > 0.0 || fit.score[place] > 0.0)
             };
@@ -202,13 +202,13 @@ impl Design {
             };
             let mut tried = variances.clone();
             for (&place, step) in free.iter().zip(&step) {
-                let most = MOST_GROWTH * tried[place].max(self.small());
+                let most = MAX_GROWTH * tried[place].max(self.small());
                 tried[place] = (tried[place] + step).clamp(0.0, most);
             }
             match self.fit(&tried) {
                 Some(better) if better.log_likelihood > fit.log_likelihood => {
                     (variances, fit) = (tried, better);
-                    damping = (0.1 * damping).max(LEAST_DAMPING);
+                    damping = (0.1 * damping).max(MIN_DAMPING);
                 }
                 _ => damping *= 10.0,
             }
@@ -383,7 +383,7 @@ impl Fit {
         /// What a step promises of the log-likelihood if it is not worth taking.
         const STILL: f64 = 1e-9;
         /// Damping takes the values to tell at least this part of what they tell of another variance.
-        const LEAST_PART: f64 = 1e-9;
+        const MIN_PART: f64 = 1e-9;
         let score = DVector::from_fn(free.len(), |i, _| self.score[free[i]]);
         let mut information = DMatrix::from_fn(free.len(), free.len(), |i, j| {
             self.information[(free[i], free[j])]
@@ -391,7 +391,7 @@ impl Fit {
         let most = information.diagonal().iter().copied().fold(0.0, f64::max);
         for place in 0..free.len() {
             let own = information[(place, place)];
-            information[(place, place)] += damping * own.max(LEAST_PART * most);
+            information[(place, place)] += damping * own.max(MIN_PART * most);
         }
         let step = Cholesky::new(information)?.solve(&score);
         (0.5 * step.dot(&score) > STILL).then_some(step)

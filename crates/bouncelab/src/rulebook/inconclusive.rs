@@ -99,7 +99,7 @@ pub enum Remark {
     /// The rule's impact is faster than any heard, by this factor: the rebound rests on how
     /// restitution depends on speed.
     Extrapolated(f64),
-    /// So few drops, one or two, hardly show how drops differ.
+    /// One or two drops hardly show how drops differ.
     FewDrops(usize),
 }
 
