@@ -212,13 +212,14 @@ def _of_ball(given: dict[str, object]) -> dict[str, object]:
         return {}
     if not isinstance(ball, Ball):
         return {"kind": text("ball", ball)}
-    given_of_it = {name: getattr(ball, name) for name in ("mass_kg", "diameter_m", "contact_time_s")}
+    quantities = ("mass_kg", "diameter_m", "contact_time_s")
+    given_of_it: dict[str, object] = {name: getattr(ball, name) for name in quantities}
     preset = next((Ball(*fields) for fields in _core.balls() if fields[0] == ball.name), None)
     if preset is None:
         return given_of_it
     # Only what differs from the preset was measured; the rest is as uncertain as the preset says.
     measured = {name: value for name, value in given_of_it.items() if value != getattr(preset, name)}
-    return {"kind": ball.name} | measured
+    return {"kind": ball.name, **measured}
 
 
 def _of_air(given: dict[str, object]) -> dict[str, object]:
