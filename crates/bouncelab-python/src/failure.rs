@@ -17,7 +17,7 @@ import_exception!(bouncelab._errors, RecordingNotFoundError);
 import_exception!(bouncelab._errors, SessionError);
 import_exception!(bouncelab._errors, UnknownNameError);
 
-/// A result that becomes an exception if it is none.
+/// A result whose error becomes an exception of Python.
 pub(crate) type Result<T> = std::result::Result<T, Failure>;
 
 /// Why something could not be done.

@@ -11,8 +11,8 @@ use pyo3::prelude::*;
 
 use crate::failure::{Failure, Result};
 
-/// Writes a file whole, in the place of another only if that is none of the inputs, and bouncelab wrote it or
-/// `force` asks for it. The form says by which mark the files of bouncelab are known.
+/// Writes a file whole. It replaces another file only if that is no input, and bouncelab wrote it or `force` is given.
+/// The form determines the mark by which a file of bouncelab is recognised.
 #[pyfunction]
 pub(crate) fn write_file(
     py: Python<'_>,

@@ -458,7 +458,7 @@ class Prediction:
     apex_m : float
         The apex in m.
     drop_height_m : Estimate or None
-        The height in m; ``None`` if there is none.
+        The height in m; ``None`` if no height reaches it.
 
     Examples
     --------

@@ -13,7 +13,7 @@ class BouncelabError(Exception):
     message : str
         The problem and a remedy, in English.
     diagnostic : str, optional
-        The same as data, as JSON; empty where there is none.
+        The same as data, as JSON; empty if the error has no data.
 
     Attributes
     ----------

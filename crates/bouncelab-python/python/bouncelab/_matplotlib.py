@@ -71,7 +71,7 @@ def _layer(ax: Axes, layer: Any) -> None:
 
 
 def _columns(rows: Any, count: int) -> list[list[float]]:
-    """Return the columns of rows of numbers, NaN where there is none."""
+    """Return the columns of rows of numbers, NaN where a number is missing."""
     import math
 
     known = [[math.nan if value is None else value for value in row] for row in rows]
