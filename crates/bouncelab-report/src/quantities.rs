@@ -447,19 +447,24 @@ fn of_flights(fit: &LogLinearFit, translator: &Translator) -> Option<String> {
     Some(translator.text_with("quantity-of-flights", &count))
 }
 
-/// Before which impact the fall of the drop height is: how many were missed before, or that it is the first detected.
+/// Whether the drop height was stated, and before which impact its fall is: how many were missed before, or that it is the
+/// first detected.
 fn of_which_fall(posterior: &Posterior, translator: &Translator) -> Option<String> {
     /// Smaller probabilities would be shown as 0 %.
     const MIN_SHOWN: f64 = 0.005;
+    let is_stated = posterior.height_was_stated();
+    let stated = is_stated.then(|| translator.text("quantity-stated"));
     let Some(probabilities) = &posterior.missed_first_impacts else {
-        return (!posterior.first_was_detected()).then(|| translator.text("quantity-first-fall"));
+        return stated.or_else(|| Some(translator.text("quantity-first-fall")));
     };
     let counts = probabilities.iter().enumerate();
     let likely = counts.filter(|(_, probability)| **probability >= MIN_SHOWN);
     let shown =
         likely.map(|(missed, probability)| format!("{missed}: {:.0} %", probability * 100.0));
     let list = shown.collect::<Vec<_>>().join(", ");
-    Some(translator.text_with("quantity-missed", &[("list", list.into())]))
+    let missed = translator.text_with("quantity-missed", &[("list", list.into())]);
+    let notes: Vec<String> = stated.into_iter().chain([missed]).collect();
+    Some(notes.join("; "))
 }
 
 /// The drag coefficient before the data.

@@ -264,6 +264,8 @@ codes! {
     ScatterExceedsPrior = "scatter-exceeds-prior", Warning, ["relative_sd", "assumed_relative_sd"];
     /// The measured height contradicts the flight times.
     HeightContradictsTimes = "height-contradicts-times", Warning, ["measured_m", "detected_m", "gravity_m_s2"];
+    /// The stated release contradicts the times: how long before the first impact it was, and how long the ball fell.
+    ReleaseContradictsTimes = "release-contradicts-times", Warning, ["stated_s", "detected_s"];
     /// Impacts before the first one detected were missed.
     FirstImpactsMissed = "first-impacts-missed", Warning, ["probability"];
     /// The drop height is that of the fall before the first impact detected.

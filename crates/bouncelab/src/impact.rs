@@ -25,6 +25,10 @@ pub struct Impact {
     pub probability: f64,
     /// Level in dB relative to full scale, if it was detected in sound.
     pub level_db: Option<f64>,
+    /// For how long before it the sound held nothing nearly as loud, in seconds; known for the first impact of a drop that
+    /// was detected in sound. An impact as loud in this time would have been detected.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub quiet_before_s: Option<f64>,
 }
 
 impl Impact {
@@ -36,6 +40,7 @@ impl Impact {
             time_sd_s: None,
             probability: 1.0,
             level_db: None,
+            quiet_before_s: None,
         }
     }
 
@@ -53,6 +58,15 @@ impl Impact {
     pub const fn with_level_db(self, level_db: f64) -> Self {
         Self {
             level_db: Some(level_db),
+            ..self
+        }
+    }
+
+    /// The same with the time before it that was quiet, in seconds.
+    #[must_use]
+    pub const fn with_quiet_before_s(self, quiet_before_s: f64) -> Self {
+        Self {
+            quiet_before_s: Some(quiet_before_s),
             ..self
         }
     }

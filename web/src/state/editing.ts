@@ -37,8 +37,13 @@ async function snapped(timeS: number): Promise<Partial<Mark>> {
     ?.recording.onsetNear(timeS, reach)
     .catch(() => null);
   return found
-    ? { timeS: found.time_s, timeSdS: found.time_sd_s, levelDb: found.level_db }
-    : { timeS };
+    ? {
+        timeS: found.time_s,
+        timeSdS: found.time_sd_s,
+        levelDb: found.level_db,
+        quietBeforeS: null,
+      }
+    : { timeS, quietBeforeS: null };
 }
 
 export async function add(timeS: number): Promise<void> {

@@ -18,6 +18,7 @@ const detected = [1, 2, 4].map((number) => ({
   time_sd_s: 1e-5,
   probability: 0.98,
   level_db: -20,
+  quiet_before_s: null,
 }));
 
 test('what no hand touched goes to the engine as it was detected, gaps in the numbers included', () => {

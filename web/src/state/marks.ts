@@ -14,6 +14,7 @@ export function marksOf(impacts: readonly Impact[]): readonly Mark[] {
     probability: impact.probability,
     timeSdS: impact.time_sd_s,
     levelDb: impact.level_db,
+    quietBeforeS: impact.quiet_before_s,
     number: impact.number,
   }));
 }
@@ -22,7 +23,8 @@ export const editsOf = (impacts: readonly Impact[]): Edits => begin(marksOf(impa
 
 /** A mark that a hand sets. */
 export function markAt(timeS: number): Mark {
-  return { id: nextId++, timeS, probability: 1, timeSdS: null, levelDb: null, number: null };
+  const unknown = { timeSdS: null, levelDb: null, quietBeforeS: null, number: null };
+  return { id: nextId++, timeS, probability: 1, ...unknown };
 }
 
 export function added(edits: Edits, mark: Mark): Edits {
@@ -60,6 +62,7 @@ export function forEngine(edits: Edits, probability: number): DropMarks {
       time_sd_s: mark.timeSdS,
       probability: mark.probability,
       level_db: mark.levelDb,
+      quiet_before_s: mark.quietBeforeS,
     })),
   };
 }

@@ -45,7 +45,8 @@ function put(name: string): void {
 
 function answer(): void {
   const restitution = { value: 0.93, sd: 0.0015 };
-  const posterior = { restitution, drop_height_m: { value: 0.305, sd: 0.003 } };
+  const height = { value: 0.305, sd: 0.003 };
+  const posterior = { restitution, drop_height_m: height, priors: [] };
   batch(() => {
     analysed.value = {
       document: { drops: [{ posterior } as Drop] },

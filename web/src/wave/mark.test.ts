@@ -7,6 +7,7 @@ const marks: Mark[] = [0.5, 1, 1.2].map((timeS, id) => ({
   probability: 1,
   timeSdS: null,
   levelDb: null,
+  quietBeforeS: null,
   number: null,
 }));
 

@@ -8,6 +8,8 @@ export interface Mark {
   /** Standard uncertainty of the time, s; unknown if it was set by hand. */
   readonly timeSdS: number | null;
   readonly levelDb: number | null;
+  /** How long nothing as loud was heard before it, s; known for the first impact detected. */
+  readonly quietBeforeS: number | null;
   /** Its number as detected; a missed impact leaves a gap. */
   readonly number: number | null;
 }

@@ -78,7 +78,8 @@ diagnostic-impacts-odd = { $count ->
    *[other] Die Aufpralle { $impacts } sind Ausreißer und zählen weniger: Der Ball ist vielleicht weggesprungen, traf eine Kante, oder die Laute sind etwas anderes.
   }
 diagnostic-scatter-exceeds-prior = Die Stoßzahl streut von Aufprall zu Aufprall um etwa { $relative_sd } %, mehr als die angenommenen { $assumed_relative_sd } %: Die Intervalle können zu schmal sein.
-diagnostic-height-contradicts-times = Die gemessene Höhe von { $measured_m } widerspricht den Flugzeiten, aus denen { $detected_m } folgen; beides stimmte bei einer Fallbeschleunigung von { $gravity_m_s2 }. Falsche Abtastrate, falscher Ball oder falsche Höhe?
+diagnostic-height-contradicts-times = Die angegebene Höhe von { $measured_m } widerspricht den Aufprallen, aus denen ein Fall aus { $detected_m } folgt; sie wird nicht verwendet. Beides stimmte bei einer Fallbeschleunigung von { $gravity_m_s2 }. Falsche Höhe, falscher Ball oder falsche Abtastrate?
+diagnostic-release-contradicts-times = Das angegebene Loslassen, { $stated_s } s vor dem ersten Aufprall, widerspricht den Aufprallen, aus denen ein Fall von { $detected_s } s folgt; es wird nicht verwendet.
 diagnostic-first-impacts-missed = Mit der Wahrscheinlichkeit { $probability } fehlen Aufpralle vor dem ersten erkannten.
 diagnostic-height-of-first-detected = Die Fallhöhe ist die vor dem ersten erkannten Aufprall; mit einer gemessenen Höhe fielen verpasste Aufpralle auf.
 diagnostic-drag-from-prior = Diese Flugzeiten sagen fast nichts über den Luftwiderstand: Der Beiwert ist, was man von Kugeln weiß.
@@ -169,7 +170,7 @@ diagnostic-prior-height = Fallhöhe: gemessen, { $height_m } ± { $sd_m }.
 diagnostic-prior-height-flat = Fallhöhe: beliebig (im Logarithmus gleich verteilt).
 diagnostic-prior-release = Loslassen: gemessen, { $release_s } s ± { $sd_s }.
 diagnostic-prior-constant-drag = Ein gleichbleibender Widerstandsbeiwert: so wahrscheinlich wie das Gesetz.
-diagnostic-prior-missed = Jeder weitere Aufprall, der am Anfang fehlt: halb so wahrscheinlich.
+diagnostic-prior-missed = Jeder weitere Aufprall, der am Anfang fehlt: halb so wahrscheinlich; wo es still war, tausendmal unwahrscheinlicher. In einer Liste von Zeiten zeigt nichts, ob Aufpralle fehlen.
 
 diagnostic-rule-needs-drops = Die Regel verlangt { $needed } Versuche, hier { $given ->
     [0] ist es keiner

@@ -56,6 +56,7 @@ page-lab-result = Ergebnis
 page-lab-opening = Lese { $name } …
 page-lab-kept = Der Ball behielt bei jedem Aufprall { $share } seines Tempos.
 page-lab-fell = Er fiel aus { $height } Höhe.
+page-lab-stated = Die angegebene Fallhöhe ist { $height }.
 page-lab-cannot-tell = Das sind zu wenige Aufpralle, um die Stoßzahl zu bestimmen.
 page-lab-impacts = { $count ->
     [one] 1 Aufprall

@@ -15,6 +15,7 @@ report-first-drops = Die ersten { $count } Versuche haben unten eigene Abschnitt
 report-kept = Der Ball behielt bei jedem Aufprall { $share } seines Tempos.
 report-kept-and-fell = Der Ball behielt bei jedem Aufprall { $share } seines Tempos und fiel aus { $height } Höhe.
 report-kept-and-fell-first = Der Ball behielt bei jedem Aufprall { $share } seines Tempos und fiel vor dem ersten erkannten Aufprall aus { $height } Höhe.
+report-kept-and-stated = Der Ball behielt bei jedem Aufprall { $share } seines Tempos; die angegebene Fallhöhe ist { $height }.
 report-kept-without-air = Gäbe es keine Luft, hätte der Ball bei jedem Aufprall { $share } seines Tempos behalten und wäre aus { $height } Höhe gefallen.
 report-kept-unknown = Wie viel der Ball behielt, lässt sich nicht sagen: { $reason }
 report-impacts = { $count ->

@@ -58,6 +58,7 @@ quantity-of-flights = vor dem ersten erkannten Aufprall; { $count ->
    *[other] { $count } Flüge
   }
 quantity-first-fall = vor dem ersten erkannten Aufprall
+quantity-stated = angegeben
 quantity-missed = vorher verpasste Aufpralle: { $list }
 quantity-before-data = { $value } vor den Daten
 quantity-known = als bekannt angenommen

@@ -81,7 +81,8 @@ diagnostic-impacts-odd = { $count ->
    *[other] Impacts { $impacts } are outliers and have less weight: the ball may have drifted or hit an edge, or the sounds are something else.
   }
 diagnostic-scatter-exceeds-prior = Restitution scatters by about { $relative_sd } % from impact to impact, more than the { $assumed_relative_sd } % that are assumed: the intervals may be too narrow.
-diagnostic-height-contradicts-times = The measured height of { $measured_m } contradicts the flight times, which indicate { $detected_m }; both would agree with a gravity of { $gravity_m_s2 }. The sample rate, the ball or the height may be wrong.
+diagnostic-height-contradicts-times = The stated height of { $measured_m } contradicts the impacts, which indicate a fall from { $detected_m }; it is not used. Both would agree with a gravity of { $gravity_m_s2 }. The height, the ball or the sample rate may be wrong.
+diagnostic-release-contradicts-times = The stated release, { $stated_s } s before the first impact, contradicts the impacts, which indicate a fall of { $detected_s } s; it is not used.
 diagnostic-first-impacts-missed = Impacts before the first one detected were missed, with probability { $probability }.
 diagnostic-height-of-first-detected = The drop height is that of the fall before the first impact detected; a measured height would show whether impacts were missed.
 diagnostic-drag-from-prior = These flight times hardly constrain drag: the drag coefficient is that of the prior for spheres.
@@ -172,7 +173,7 @@ diagnostic-prior-height = Drop height: measured, { $height_m } ± { $sd_m }.
 diagnostic-prior-height-flat = Drop height: uniform in its logarithm.
 diagnostic-prior-release = Release: measured, { $release_s } s ± { $sd_s }.
 diagnostic-prior-constant-drag = A constant drag coefficient: as probable as the law.
-diagnostic-prior-missed = Each further impact missed at the start: half as likely.
+diagnostic-prior-missed = Each further impact missed at the start: half as likely; where the sound was quiet, a thousand times less likely. In a list of times nothing shows whether impacts were missed.
 
 diagnostic-rule-needs-drops = The rule needs { $needed } drops, and there { $given ->
     [0] are none

@@ -58,6 +58,7 @@ page-lab-result = Result
 page-lab-opening = Reading { $name } …
 page-lab-kept = The ball kept { $share } of its speed at each bounce.
 page-lab-fell = It fell from { $height }.
+page-lab-stated = The stated drop height is { $height }.
 page-lab-cannot-tell = There are too few impacts to determine the restitution.
 page-lab-impacts = { $count ->
     [one] 1 impact

@@ -17,6 +17,7 @@ report-first-drops = The first { $count } drops have sections of their own below
 report-kept = The ball kept { $share } of its speed at each bounce.
 report-kept-and-fell = The ball kept { $share } of its speed at each bounce and fell from { $height }.
 report-kept-and-fell-first = The ball kept { $share } of its speed at each bounce and fell from { $height } before the first impact detected.
+report-kept-and-stated = The ball kept { $share } of its speed at each bounce; the stated drop height is { $height }.
 report-kept-without-air = If there were no air, the ball kept { $share } of its speed at each bounce and fell from { $height }.
 report-kept-unknown = How much the ball kept cannot be stated: { $reason }
 report-impacts = { $count ->

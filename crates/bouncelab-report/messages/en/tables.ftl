@@ -58,6 +58,7 @@ quantity-of-flights = before the first impact detected; { $count ->
    *[other] { $count } flights
   }
 quantity-first-fall = before the first impact detected
+quantity-stated = stated
 quantity-missed = impacts missed before: { $list }
 quantity-before-data = { $value } before the data
 quantity-known = taken as known

@@ -75,7 +75,8 @@ diagnostic-impacts-odd = { $count ->
    *[other] Los impactos { $impacts } son atípicos y pesan menos: la pelota pudo desviarse o dar en un borde, o los sonidos son otra cosa.
   }
 diagnostic-scatter-exceeds-prior = La restitución varía alrededor de un { $relative_sd } % de un impacto a otro, más que el { $assumed_relative_sd } % supuesto: los intervalos pueden ser demasiado estrechos.
-diagnostic-height-contradicts-times = La altura medida de { $measured_m } contradice los tiempos de vuelo, que indican { $detected_m }; ambos concordarían con una gravedad de { $gravity_m_s2 }. La frecuencia de muestreo, la pelota o la altura puede ser errónea.
+diagnostic-height-contradicts-times = La altura indicada de { $measured_m } contradice los impactos, que indican una caída desde { $detected_m }; no se utiliza. Ambas concordarían con una gravedad de { $gravity_m_s2 }. La altura, la pelota o la frecuencia de muestreo puede ser errónea.
+diagnostic-release-contradicts-times = El momento de soltar indicado, { $stated_s } s antes del primer impacto, contradice los impactos, que indican una caída de { $detected_s } s; no se utiliza.
 diagnostic-first-impacts-missed = Se perdieron impactos antes del primero detectado, con probabilidad { $probability }.
 diagnostic-height-of-first-detected = La altura de caída es la de la caída antes del primer impacto detectado; una altura medida mostraría si se perdieron impactos.
 diagnostic-drag-from-prior = Estos tiempos de vuelo apenas limitan el arrastre: su coeficiente es el de la distribución a priori de las esferas.
@@ -158,7 +159,7 @@ diagnostic-prior-height = Altura de caída: medida, { $height_m } ± { $sd_m }.
 diagnostic-prior-height-flat = Altura de caída: uniforme en su logaritmo.
 diagnostic-prior-release = Suelta: medida, { $release_s } s ± { $sd_s }.
 diagnostic-prior-constant-drag = Un coeficiente de arrastre constante: tan probable como la ley.
-diagnostic-prior-missed = Cada impacto más perdido al principio: la mitad de probable.
+diagnostic-prior-missed = Cada impacto más perdido al principio: la mitad de probable; donde había silencio, mil veces menos probable. En una lista de tiempos nada muestra si se perdieron impactos.
 
 diagnostic-rule-needs-drops = La regla necesita { $needed } ensayos, y hay { $given }.
 diagnostic-rule-needs-reference-drops = La regla necesita { $needed } ensayos sobre la referencia, y hay { $given }.

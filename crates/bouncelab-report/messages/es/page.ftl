@@ -56,6 +56,7 @@ page-lab-result = Resultado
 page-lab-opening = Leyendo { $name } …
 page-lab-kept = La pelota conservó { $share } de su velocidad en cada rebote.
 page-lab-fell = Cayó desde { $height }.
+page-lab-stated = La altura de caída indicada es { $height }.
 page-lab-cannot-tell = Hay demasiado pocos impactos para determinar el coeficiente de restitución.
 page-lab-impacts = { $count ->
     [one] 1 impacto

@@ -15,6 +15,7 @@ report-first-drops = Los primeros { $count } ensayos tienen sus propias seccione
 report-kept = La pelota conservó { $share } de su velocidad en cada rebote.
 report-kept-and-fell = La pelota conservó { $share } de su velocidad en cada rebote y cayó desde { $height }.
 report-kept-and-fell-first = La pelota conservó { $share } de su velocidad en cada rebote y cayó desde { $height } antes del primer impacto detectado.
+report-kept-and-stated = La pelota conservó { $share } de su velocidad en cada rebote; la altura de caída indicada es { $height }.
 report-kept-without-air = Si no hubiera aire, la pelota habría conservado { $share } de su velocidad en cada rebote y habría caído desde { $height }.
 report-kept-unknown = No se puede decir cuánto conservó la pelota: { $reason }
 report-impacts = { $count ->

@@ -56,6 +56,7 @@ quantity-of-flights = antes del primer impacto detectado; { $count ->
    *[other] { $count } vuelos
   }
 quantity-first-fall = antes del primer impacto detectado
+quantity-stated = indicada
 quantity-missed = impactos perdidos antes: { $list }
 quantity-before-data = { $value } antes de los datos
 quantity-known = se toma como conocido

@@ -75,7 +75,8 @@ diagnostic-impacts-odd = { $count ->
    *[other] Les impacts { $impacts } sont aberrants et pèsent moins : la balle a pu dévier ou toucher un bord, ou les sons sont autre chose.
   }
 diagnostic-scatter-exceeds-prior = La restitution varie d’environ { $relative_sd } % d’un impact à l’autre, plus que les { $assumed_relative_sd } % supposés : les intervalles peuvent être trop étroits.
-diagnostic-height-contradicts-times = La hauteur mesurée de { $measured_m } contredit les temps de vol, qui indiquent { $detected_m } ; les deux s’accorderaient avec une pesanteur de { $gravity_m_s2 }. La fréquence d’échantillonnage, la balle ou la hauteur est peut-être fausse.
+diagnostic-height-contradicts-times = La hauteur indiquée de { $measured_m } contredit les impacts, qui indiquent une chute de { $detected_m } ; elle n’est pas utilisée. Les deux s’accorderaient avec une pesanteur de { $gravity_m_s2 }. La hauteur, la balle ou la fréquence d’échantillonnage est peut-être fausse.
+diagnostic-release-contradicts-times = Le lâcher indiqué, { $stated_s } s avant le premier impact, contredit les impacts, qui indiquent une chute de { $detected_s } s ; il n’est pas utilisé.
 diagnostic-first-impacts-missed = Des impacts avant le premier détecté ont été manqués, avec une probabilité de { $probability }.
 diagnostic-height-of-first-detected = La hauteur de chute est celle de la chute avant le premier impact détecté ; une hauteur mesurée montrerait si des impacts ont été manqués.
 diagnostic-drag-from-prior = Ces temps de vol ne contraignent guère la traînée : son coefficient est celui de la loi a priori des sphères.
@@ -158,7 +159,7 @@ diagnostic-prior-height = Hauteur de chute : mesurée, { $height_m } ± { $sd_
 diagnostic-prior-height-flat = Hauteur de chute : uniforme en logarithme.
 diagnostic-prior-release = Lâcher : mesuré, { $release_s } s ± { $sd_s }.
 diagnostic-prior-constant-drag = Un coefficient de traînée constant : aussi probable que la loi.
-diagnostic-prior-missed = Chaque impact de plus manqué au début : deux fois moins probable.
+diagnostic-prior-missed = Chaque impact de plus manqué au début : deux fois moins probable ; là où c’était silencieux, mille fois moins probable. Dans une liste de temps, rien ne montre si des impacts ont été manqués.
 
 diagnostic-rule-needs-drops = La règle demande { $needed } essais, et il y en a { $given }.
 diagnostic-rule-needs-reference-drops = La règle demande { $needed } essais sur la référence, et il y en a { $given }.

@@ -56,6 +56,7 @@ page-lab-result = Résultat
 page-lab-opening = Lecture de { $name } …
 page-lab-kept = La balle a gardé { $share } de sa vitesse à chaque rebond.
 page-lab-fell = Elle est tombée de { $height }.
+page-lab-stated = La hauteur de chute indiquée est de { $height }.
 page-lab-cannot-tell = Il y a trop peu d’impacts pour déterminer le coefficient de restitution.
 page-lab-impacts = { $count ->
     [one] { $count } impact

@@ -15,6 +15,7 @@ report-first-drops = Les { $count } premiers essais ont leurs propres sections c
 report-kept = La balle a gardé { $share } de sa vitesse à chaque rebond.
 report-kept-and-fell = La balle a gardé { $share } de sa vitesse à chaque rebond et est tombée de { $height }.
 report-kept-and-fell-first = La balle a gardé { $share } de sa vitesse à chaque rebond et est tombée de { $height } avant le premier impact détecté.
+report-kept-and-stated = La balle a gardé { $share } de sa vitesse à chaque rebond ; la hauteur de chute indiquée est de { $height }.
 report-kept-without-air = S’il n’y avait pas d’air, la balle aurait gardé { $share } de sa vitesse à chaque rebond et serait tombée de { $height }.
 report-kept-unknown = Ce que la balle a gardé ne peut pas être déterminé : { $reason }
 report-impacts = { $count ->

@@ -56,6 +56,7 @@ quantity-of-flights = avant le premier impact détecté ; { $count ->
    *[other] { $count } vols
   }
 quantity-first-fall = avant le premier impact détecté
+quantity-stated = indiquée
 quantity-missed = impacts manqués avant : { $list }
 quantity-before-data = { $value } avant les données
 quantity-known = pris comme connu

@@ -33,9 +33,10 @@ fn kept(drop: &Drop, translator: &Translator) -> String {
         &drop.log_linear_fit,
     ) {
         (Ok(posterior), ..) => {
-            let is_release =
-                posterior.first_was_detected() || posterior.missed_first_impacts.is_some();
-            let id = if is_release {
+            let is_release = posterior.missed_first_impacts.is_some();
+            let id = if posterior.height_was_stated() {
+                "report-kept-and-stated"
+            } else if is_release {
                 "report-kept-and-fell"
             } else {
                 "report-kept-and-fell-first"

@@ -22,7 +22,20 @@ pub struct Gap {
 
 /// Keeps the longest part of a drop without a gap, numbered anew: flight times across a gap are wrong, and the number of
 /// impacts in it is unknown. Returns a diagnostic if impacts were removed.
+///
+/// Silence in place of lost sound is not quiet.
 pub(super) fn cut(impacts: &mut Vec<Impact>, gaps: &[Gap]) -> Option<Diagnostic> {
+    let lost = cut_at_gaps(impacts, gaps);
+    if let Some(first) = impacts.first_mut() {
+        let ends_s = gaps.iter().map(|gap| gap.end_s() + EDGE_S);
+        let before = ends_s.filter(|end_s| *end_s < first.time_s);
+        let since_s = first.time_s - before.fold(f64::NEG_INFINITY, f64::max);
+        first.quiet_before_s = first.quiet_before_s.map(|quiet_s| quiet_s.min(since_s));
+    }
+    lost
+}
+
+fn cut_at_gaps(impacts: &mut Vec<Impact>, gaps: &[Gap]) -> Option<Diagnostic> {
     let (first_s, last_s) = (impacts.first()?.time_s, impacts.last()?.time_s);
     let within: Vec<&Gap> = gaps
         .iter()

@@ -288,6 +288,7 @@ impl From<&TrainImpact> for Impact {
             time_sd_s: Some(detected.onset.sigma_s),
             probability: detected.probability,
             level_db: Some(detected.onset.level_db),
+            quiet_before_s: None,
         }
     }
 }

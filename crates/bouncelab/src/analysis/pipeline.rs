@@ -3,7 +3,7 @@
 use super::result::{Recording, Source, StrongestBand};
 use super::{Drop, Edits, Options, analyze_impacts, edit, gap, impacts_of_times};
 use crate::Result;
-use crate::detection::{Detection, Detector};
+use crate::detection::{Detection, Detector, Envelope};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::impact::Impact;
 use crate::onset;
@@ -150,7 +150,9 @@ impl Plan {
             recording.diagnostics.push(left_out);
         }
         let candidates = trains.iter().take(MAX_DROPS);
-        let candidates = candidates.map(DropCandidate::from).collect();
+        let candidates =
+            candidates.map(|train| DropCandidate::detected(train, &detection.envelope));
+        let candidates = candidates.collect();
         let mut plan = Self::new(recording, candidates, options);
         plan.recording.envelope = Some(detection.envelope);
         plan
@@ -296,6 +298,15 @@ impl DropCandidate {
         }
     }
 
+    fn detected(train: &Train, envelope: &Envelope) -> Self {
+        let mut impacts: Vec<Impact> = train.impacts().iter().map(Impact::from).collect();
+        impacts[0].quiet_before_s = Some(envelope.quiet_before_s(train.start_s()));
+        Self {
+            impacts,
+            probability: train.probability(),
+        }
+    }
+
     fn start_s(&self) -> f64 {
         let first = self.impacts.first();
         first.map_or(f64::INFINITY, |impact| impact.time_s)
@@ -306,15 +317,6 @@ impl DropCandidate {
         match (self.impacts.first(), self.impacts.last()) {
             (Some(first), Some(last)) => (first.time_s - time_s).max(time_s - last.time_s).max(0.0),
             _ => f64::INFINITY,
-        }
-    }
-}
-
-impl From<&Train> for DropCandidate {
-    fn from(train: &Train) -> Self {
-        Self {
-            impacts: train.impacts().iter().map(Impact::from).collect(),
-            probability: train.probability(),
         }
     }
 }

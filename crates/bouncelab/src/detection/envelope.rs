@@ -1,6 +1,6 @@
 //! The envelope of a recording.
 
-use super::parameters::{MAX_STEPS, MIN_STEP_SAMPLES};
+use super::parameters::{MAX_STEPS, MIN_STEP_SAMPLES, PEAK_S, QUIET_SHARE, SOON_S};
 
 /// Minimum and maximum sample in equal steps of time: a picture of a recording of any length, in
 /// constant memory.
@@ -61,6 +61,25 @@ impl Envelope {
         let min = self.min.iter().copied().fold(f32::INFINITY, f32::min);
         let max = self.max.iter().copied().fold(f32::NEG_INFINITY, f32::max);
         max <= min
+    }
+
+    /// For how long before an impact at this time nothing was nearly as loud, s; at most since the recording began.
+    pub(crate) fn quiet_before_s(&self, time_s: f64) -> f64 {
+        let step_s = self.step_s();
+        let step_of = |time_s: f64| ((time_s / step_s).max(0.0) as usize).min(self.min.len());
+        // A recorder may add a constant.
+        let middles = self
+            .min
+            .iter()
+            .zip(&self.max)
+            .map(|(min, max)| 0.5 * f64::from(min + max));
+        let centre = (middles.sum::<f64>() / self.min.len() as f64) as f32;
+        let amplitude = |step: usize| greater(self.max[step] - centre, centre - self.min[step]);
+        let impact = step_of(time_s)..self.min.len().min(step_of(time_s + PEAK_S) + 1);
+        let loudest = impact.map(amplitude).fold(0.0, greater);
+        let is_loud = |step: &usize| amplitude(*step) >= QUIET_SHARE * loudest;
+        let loud = (0..step_of(time_s - SOON_S)).rfind(is_loud);
+        time_s - loud.map_or(0.0, |step| (step + 1) as f64 * step_s)
     }
 
     /// Takes the next samples; returns their extremes.

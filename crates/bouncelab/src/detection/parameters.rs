@@ -54,6 +54,16 @@ pub(super) const MAX_STEPS: usize = 1 << 15;
 /// Minimum samples of a step.
 pub(super) const MIN_STEP_SAMPLES: usize = 16;
 
+// Quiet before a drop.
+
+/// A sound below this share of the amplitude of the first impact is no earlier impact of the drop: that was faster, and the
+/// levels of successive impacts scatter by 3.5 dB (`train`), so an earlier one 6 dB fainter is less than one in twenty.
+pub(super) const QUIET_SHARE: f32 = 0.5;
+/// Time after an onset within which an impact is loudest, s.
+pub(super) const PEAK_S: f64 = 0.02;
+/// Time before an onset in which the impact itself may be heard, s: no flight is as short.
+pub(super) const SOON_S: f64 = 0.02;
+
 // Clipping.
 
 /// Minimum number of equal samples in a row at the extreme value that count as clipped.

@@ -5,7 +5,9 @@ use super::likelihood::Innovation;
 use super::medium::Medium;
 use super::numbering;
 use super::observed::Observed;
-use super::parameters::{DRAG_COEFFICIENT_STEPS, LN_MISSED_FIRST, MAX_MISSED_FIRST, PRUNE_BELOW};
+use super::parameters::{
+    DRAG_COEFFICIENT_STEPS, LN_MISSED_FIRST, LN_UNHEARD, MAX_MISSED_FIRST, PRUNE_BELOW,
+};
 use super::pool::{Pool, SamplerConfig};
 use super::priors::Priors;
 use super::reference_speed::ReferenceSpeed;
@@ -13,6 +15,7 @@ use super::sample::Sample;
 use super::timed_flights::TimedFlights;
 use super::unknowns::{ExpectedRestitution, Model};
 use crate::ball::Ball;
+use crate::diagnostic::Diagnostic;
 use crate::drag::DragLaw;
 use crate::error::{Error, InferenceFailure, Quantity, Result, within};
 use crate::flight::Environment;
@@ -59,6 +62,8 @@ pub(super) struct SampledPosterior {
     pub(super) environment: Environment,
     /// Most probable first.
     pub(super) candidates: Vec<Candidate>,
+    /// What was stated of the fall, contradicts the times or the sound, and is left out.
+    pub(super) contradictions: Vec<Diagnostic>,
     pub(super) draws: Pool,
 }
 
@@ -77,7 +82,8 @@ impl SampledPosterior {
         priors: &Priors,
         sampler: &SamplerConfig,
     ) -> Result<Self> {
-        let mut posterior = Self::fitted_only(impacts, ball, environment, contact_time_s, priors)?;
+        let mut posterior =
+            Self::fitted_to_what_holds(impacts, ball, environment, contact_time_s, priors)?;
         posterior.sample(sampler);
         Ok(posterior)
     }
@@ -142,6 +148,7 @@ impl SampledPosterior {
             ball: *ball,
             environment: *environment,
             candidates: Vec::new(),
+            contradictions: Vec::new(),
             draws: Pool::default(),
         };
         posterior.keep_likely_numberings();
@@ -356,6 +363,7 @@ impl SampledPosterior {
     /// Logarithm of the prior probability of a candidate, but for a constant.
     pub(super) fn log_prior(&self, candidate: &Candidate) -> f64 {
         candidate.missed_first as f64 * LN_MISSED_FIRST
+            + self.unheard(candidate) as f64 * LN_UNHEARD
             + self.numberings[candidate.numbering].observed.missed() as f64 * LN_MISSED
     }
 

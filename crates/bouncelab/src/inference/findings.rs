@@ -1,15 +1,12 @@
 //! The diagnostics of an inference.
 
 use super::candidates::SampledPosterior;
-use super::fit;
 use super::identify::{PriorContraction, Unknown};
 use super::likelihood::Innovation;
 use super::parameters::{
-    CLEAR_LAW_WEIGHT, CONTRADICTION_SDS, FEW_IMPACTS, LARGE_SCATTER_FACTOR, MANY_RESTITUTIONS,
-    MAX_PARETO_SHAPE, OUTLIER_WEIGHT, RELEVANT_WEIGHT, UNINFORMATIVE,
+    CLEAR_LAW_WEIGHT, FEW_IMPACTS, LARGE_SCATTER_FACTOR, MANY_RESTITUTIONS, MAX_PARETO_SHAPE,
+    OUTLIER_WEIGHT, RELEVANT_WEIGHT, UNINFORMATIVE,
 };
-use super::pool::Pool;
-use super::priors::{Measured, Priors};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::restitution::LawKind;
 
@@ -57,7 +54,8 @@ pub(super) fn diagnostics(
                 .with("impacts", outliers.as_slice()),
         );
     }
-    diagnostics.extend(about_the_height(posterior, innovations));
+    diagnostics.extend(posterior.contradictions.iter().cloned());
+    diagnostics.extend(about_the_height(posterior));
     let remaining = |unknown: Unknown| {
         let found = prior_contraction.iter().find(|n| n.unknown == unknown);
         found.map(|n| n.remaining)
@@ -102,21 +100,11 @@ fn law_weight(posterior: &SampledPosterior) -> f64 {
         .fold(0.0, f64::max)
 }
 
-fn about_the_height(
-    posterior: &SampledPosterior,
-    innovations: &[Innovation],
-) -> Option<Diagnostic> {
-    let Priors {
-        drop_height_m,
-        release_s,
-        ..
-    } = posterior.priors;
-    if drop_height_m.is_none() && release_s.is_none() {
-        return Some(Diagnostic::new(Code::HeightOfFirstDetected));
-    }
-    let contradicts = |measured| contradiction(posterior, innovations, measured);
-    if let Some(contradiction) = drop_height_m.and_then(contradicts) {
-        return Some(contradiction);
+fn about_the_height(posterior: &SampledPosterior) -> Option<Diagnostic> {
+    let priors = &posterior.priors;
+    if priors.drop_height_m.is_none() && priors.release_s.is_none() {
+        let unknown = posterior.contradictions.is_empty();
+        return unknown.then(|| Diagnostic::new(Code::HeightOfFirstDetected));
     }
     let missed: f64 = posterior
         .candidates
@@ -126,55 +114,4 @@ fn about_the_height(
         .sum();
     (missed > RELEVANT_WEIGHT)
         .then(|| Diagnostic::new(Code::FirstImpactsMissed).with("probability", missed))
-}
-
-/// Whether even the best number of missed impacts leaves a gap between the measured height and the
-/// first flight. The gap shows in the first innovation, or as a height far from the measured one.
-fn contradiction(
-    posterior: &SampledPosterior,
-    innovations: &[Innovation],
-    measured: Measured,
-) -> Option<Diagnostic> {
-    let candidate = &posterior.candidates[0];
-    let model = posterior.model(candidate);
-    let point = model.point(candidate.fit.vector.as_slice())?;
-    let fitted_m = model.drop_height_m(&point)?;
-    let off = ((fitted_m - measured.value) / measured.sd).abs();
-    let first = innovations
-        .iter()
-        .filter(|innovation| innovation.impact == 0)
-        .map(|innovation| innovation.standardised.abs())
-        .fold(0.0, f64::max);
-    if off.max(first) < CONTRADICTION_SDS {
-        return None;
-    }
-    let detected_m = detected_height_m(posterior, candidate.law, candidate.medium)?;
-    // A height from a flight time goes as gravity.
-    let gravity_m_s2 = posterior.environment.gravity_m_s2 * measured.value / detected_m;
-    Some(
-        Diagnostic::new(Code::HeightContradictsTimes)
-            .with("measured_m", measured.value)
-            .with("detected_m", detected_m)
-            .with("gravity_m_s2", gravity_m_s2),
-    )
-}
-
-/// The height of the fall before the first impact detected, from the times alone.
-fn detected_height_m(posterior: &SampledPosterior, law: LawKind, medium: usize) -> Option<f64> {
-    let without = SampledPosterior {
-        priors: Priors {
-            drop_height_m: None,
-            release_s: None,
-            ..posterior.priors.clone()
-        },
-        numberings: vec![posterior.numbering().clone()],
-        media: posterior.media.clone(),
-        candidates: Vec::new(),
-        draws: Pool::default(),
-        ..*posterior
-    };
-    let model = without.model_of(law, medium, 0, 0);
-    let fit = fit::best_fit(&model, model.start(), f64::NEG_INFINITY)?;
-    let point = model.point(fit.vector.as_slice())?;
-    model.drop_height_m(&point)
 }

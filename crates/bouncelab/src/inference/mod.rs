@@ -64,6 +64,7 @@ mod residual;
 mod sample;
 mod scatter_prior;
 mod smoothing;
+mod stated;
 mod tail;
 mod timed_flights;
 mod trials;

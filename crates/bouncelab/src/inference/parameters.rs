@@ -195,6 +195,10 @@ pub(super) const PRUNE_BELOW: f64 = 7.0;
 /// Logarithm of the prior probability of one more impact before the first one detected: half as likely.
 pub(super) const LN_MISSED_FIRST: f64 = -LN_2;
 
+/// Logarithm of the probability that an impact is not heard where the recording is quiet, such as one on a soft place: one
+/// in a thousand.
+pub(super) const LN_UNHEARD: f64 = -7.0;
+
 /// Maximum number of impacts missed before the first one detected. They are the loudest.
 pub(super) const MAX_MISSED_FIRST: usize = 12;
 
@@ -300,7 +304,7 @@ pub(super) const OUTLIER_WEIGHT: f64 = 0.55;
 /// Fewer impacts than this leave most to the priors.
 pub(super) const FEW_IMPACTS: usize = 5;
 
-/// More standard deviations than this between the measured and the detected height are not chance.
+/// More standard deviations than this between what was stated and the times are not chance.
 pub(super) const CONTRADICTION_SDS: f64 = 3.5;
 
 /// A scatter larger than the typical one by more than this factor contradicts its prior.

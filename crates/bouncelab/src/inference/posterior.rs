@@ -283,9 +283,8 @@ impl Posterior {
         budget::shared_sd(&self.sampled, speeds_m_s)
     }
 
-    /// Whether the first impact detected was taken to be the first.
-    pub fn first_was_detected(&self) -> bool {
-        let priors = &self.sampled.priors;
-        priors.drop_height_m.is_some() && self.missed_first_impacts.is_none()
+    /// Whether a height was stated, and nothing contradicts it: then it is hardly a result.
+    pub fn height_was_stated(&self) -> bool {
+        self.sampled.priors.drop_height_m.is_some()
     }
 }

@@ -389,6 +389,22 @@ fn chain(table: &FlightTable, point: &Point, impact: f64, flights: usize) -> Opt
     Some(rows)
 }
 
+/// How long before the first impact detected each of this number of missed ones was, s.
+pub(super) fn missed_before_s(
+    table: &FlightTable,
+    point: &Point,
+    missed_first: usize,
+) -> Option<impl Iterator<Item = f64>> {
+    let fall = table.launch(point.fall_launch_m_s)?;
+    let flights = chain(table, point, fall.impact, missed_first)?;
+    let (gravity, contact_s) = (point.gravity_m_s2, point.contact_time_s);
+    let backwards = flights.into_iter().rev();
+    Some(backwards.scan(0.0, move |before_s, flight| {
+        *before_s += flight.time / gravity + contact_s;
+        Some(*before_s)
+    }))
+}
+
 /// Derivatives of the time of all flights (times gravity) and of ln(impact speed) at their end by ln(launch speed) of the
 /// first: the chain rule through each flight and each impact between them.
 fn response(rows: &[Row], point: &Point) -> (f64, f64) {

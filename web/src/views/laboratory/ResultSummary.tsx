@@ -40,7 +40,7 @@ export function ResultSummary() {
 
 /** Restitution and height with their uncertainties. */
 function Sentences({ result }: { readonly result: Drop }) {
-  const { share, height } = answerOf(result);
+  const { share, height, heightSentence } = answerOf(result);
   return (
     <>
       {share !== undefined && (
@@ -50,7 +50,7 @@ function Sentences({ result }: { readonly result: Drop }) {
       )}
       {height !== undefined && (
         <p class="second">
-          <Rich parts={parts('page-lab-fell', { height })} />
+          <Rich parts={parts(heightSentence, { height })} />
         </p>
       )}
     </>
