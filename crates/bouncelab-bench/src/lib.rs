@@ -19,7 +19,9 @@ pub mod laboratory;
 pub mod misfit;
 pub mod net;
 pub mod scenario;
+pub mod stated;
 pub mod verdicts;
+mod world;
 
 use bouncelab::inference::{InferenceOptions, SamplerConfig};
 use rayon::prelude::*;

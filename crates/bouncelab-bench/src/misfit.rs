@@ -1,7 +1,7 @@
-//! Calibration of the inference where its model is not exactly true.
+//! Calibration of the whole analysis where its model, or what is stated of a drop, is not exactly true.
 //!
-//! Drops of every [`Scenario`] are inferred from their times alone, with every default of `analyze`: do the intervals
-//! still hold the truth?
+//! Drops of every [`Scenario`] and of every [`Stated`] are analysed as a front end does: do the intervals still hold the
+//! truth, and where they do not, does a warning say so?
 //!
 //! ```text
 //! cargo xtask calibrate scenarios 300
@@ -11,109 +11,253 @@
 //! and names of scenarios after it leave out all others. Names of restitution laws leave out the others of those.
 //! With `impacts=4` no drop has more impacts than that.
 
-use bouncelab::analysis::{Options, impacts_of_times};
-use bouncelab::inference::{Posterior, Priors, infer};
+use bouncelab::analysis::{Drop, Recording};
+use bouncelab::diagnostic::Severity;
+use bouncelab::inference::Posterior;
 use bouncelab::restitution::LawKind;
-use bouncelab::{Estimate, Impact};
+use bouncelab::settings::Settings;
+use bouncelab::{Diagnostic, Estimate, Options, analyze, analyze_times};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-use crate::scenario::{Drop, MAX_IMPACTS, Scenario};
+use crate::scenario::{self, MAX_IMPACTS, Scenario};
+use crate::stated::Stated;
+use crate::world::SAMPLE_RATE_HZ;
 use crate::{of_seeds, seeded};
 
 /// What is asked: the restitution at the speed that the inference chooses and at that of the first
 /// impact, which no flight shows, the drop height, and the time until rest.
 const QUANTITIES: [&str; 4] = ["e", "e of the first", "h0", "time until rest"];
 
-/// Whether the intervals of 68 and 95 % hold the truth, and the relative standard uncertainty.
-type Held = (bool, bool, f64);
-
-/// How one drop fared.
-struct Fared {
-    /// Of each quantity; `None` where no model explains the times, or nothing is stated.
-    of: [Option<Held>; QUANTITIES.len()],
-    converged: bool,
-    numbered: bool,
+/// A drop to be analysed, and the truth.
+pub(crate) struct Case {
+    pub(crate) heard: Heard,
+    pub(crate) options: Options,
+    pub(crate) truth: Truth,
 }
 
-fn fared(scenario: Scenario, drop: &Drop, laws: &[LawKind], seed: u64) -> Fared {
-    let settings = scenario.stated(Options::default());
-    let impacts: Vec<Impact> = impacts_of_times(&drop.times_s);
-    let priors = Priors {
-        restitution_laws: laws.to_vec(),
-        ..settings.priors
-    };
-    let posterior = infer(
-        &impacts,
-        &settings.ball,
-        &settings.environment,
-        settings.contact_time_s,
-        &priors,
-        &seeded(seed),
-    );
-    let numbers = impacts.iter().map(|impact| impact.number);
-    Fared {
-        converged: posterior.as_ref().is_ok_and(|it| it.sampling.converged),
-        of: posterior.map_or_else(|_| Default::default(), |it| holds(drop, &it)),
-        numbered: numbers.eq(drop.numbers.iter().copied()),
+/// What is known of its impacts.
+pub(crate) enum Heard {
+    /// Their times, s.
+    Times(Vec<f64>),
+    /// Their sound.
+    Sound(Vec<f32>),
+}
+
+/// What is to be found.
+pub(crate) struct Truth {
+    /// Restitution at an impact speed, m/s.
+    pub(crate) restitution: Box<dyn Fn(f64) -> f64>,
+    /// Restitution and speed, m/s, of the first impact.
+    pub(crate) first_restitution: f64,
+    pub(crate) first_impact_m_s: f64,
+    /// Drop height, m.
+    pub(crate) height_m: f64,
+    /// From the release until rest, s, if it comes to rest and is asked.
+    pub(crate) rest_s: Option<f64>,
+    /// Numbers of the impacts detected, 1 for the first, if they are asked.
+    pub(crate) numbers: Option<Vec<usize>>,
+}
+
+/// A scenario of either kind, by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Row {
+    /// The model is not exactly true.
+    Misfit(Scenario),
+    /// What is stated is not.
+    Stated(Stated),
+}
+
+impl Row {
+    /// Every one.
+    pub fn all() -> Vec<Self> {
+        let misfits = Scenario::ALL.map(Self::Misfit);
+        misfits
+            .into_iter()
+            .chain(Stated::ALL.map(Self::Stated))
+            .collect()
+    }
+
+    /// Its name, as in arguments and tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Misfit(scenario) => scenario.name(),
+            Self::Stated(stated) => stated.name(),
+        }
+    }
+
+    fn drawn(self, max_impacts: usize, rng: &mut ChaCha8Rng) -> Option<Case> {
+        match self {
+            Self::Misfit(scenario) => {
+                let options = Settings::of_ball("table-tennis-40").resolve().ok()?.options;
+                let drop = scenario::Drop::drawn(scenario, max_impacts, &options, rng)?;
+                Some(drop.case(scenario.stated(options)))
+            }
+            Self::Stated(stated) => stated.drawn(rng),
+        }
     }
 }
 
-fn holds(drop: &Drop, posterior: &Posterior) -> [Option<Held>; QUANTITIES.len()] {
-    let fastest = drop.first_impact_m_s;
-    let held = |estimate: Option<Estimate>, truth: Option<f64>| {
-        let (estimate, truth) = estimate.zip(truth)?;
+/// Whether the intervals hold a quantity.
+#[derive(Clone, Copy, Debug)]
+pub struct Held {
+    /// Whether the interval of 68 % does.
+    pub in68: bool,
+    /// Whether the interval of 95 % does.
+    pub in95: bool,
+    /// The relative standard uncertainty.
+    pub relative_sd: f64,
+    /// Deviation from the truth, in standard uncertainties.
+    pub z: f64,
+}
+
+impl Held {
+    fn of(estimate: Estimate, truth: f64) -> Self {
         let within = |[low, high]: [f64; 2]| low <= truth && truth <= high;
-        Some((
-            within(estimate.interval68),
-            within(estimate.interval95),
-            estimate.sd / truth,
-        ))
-    };
-    let restitution = drop.restitution(posterior.at_speed_m_s);
+        Self {
+            in68: within(estimate.interval68),
+            in95: within(estimate.interval95),
+            relative_sd: estimate.sd / truth,
+            z: (estimate.value - truth) / estimate.sd,
+        }
+    }
+}
+
+/// How one drop fared.
+#[derive(Clone, Debug, Default)]
+pub struct Fared {
+    /// Of e, e of the first impact, drop height, and time until rest; `None` where nothing is stated, or asked.
+    pub of: [Option<Held>; QUANTITIES.len()],
+    /// Whether the sampling converged.
+    pub converged: bool,
+    /// Whether the impacts have their numbers.
+    pub numbered: bool,
+    /// The codes of the warnings.
+    pub warnings: Vec<&'static str>,
+}
+
+impl Fared {
+    fn of(case: &Case) -> Self {
+        let result = match &case.heard {
+            Heard::Times(times_s) => Ok(analyze_times(times_s, &case.options)),
+            Heard::Sound(samples) => analyze(samples, SAMPLE_RATE_HZ, &case.options),
+        };
+        let Ok(Recording {
+            drops, diagnostics, ..
+        }) = result
+        else {
+            return Self::default();
+        };
+        // That of the most impacts is the one that was simulated.
+        let Some(drop) = drops.iter().max_by_key(|drop| drop.impacts.len()) else {
+            return Self::default();
+        };
+        let said = diagnostics.iter().chain(&drop.diagnostics);
+        let is_warning = |said: &&Diagnostic| said.severity == Severity::Warning;
+        Self {
+            of: drop
+                .posterior
+                .as_ref()
+                .map_or_else(|_| Default::default(), |it| holds(&case.truth, it)),
+            converged: drop
+                .posterior
+                .as_ref()
+                .is_ok_and(|it| it.sampling.converged),
+            numbered: is_numbered(drop, &case.truth),
+            warnings: said.filter(is_warning).map(|it| it.code.name()).collect(),
+        }
+    }
+}
+
+fn is_numbered(drop: &Drop, truth: &Truth) -> bool {
+    let numbers = drop.impacts.iter().map(|impact| impact.number);
+    truth
+        .numbers
+        .as_ref()
+        .is_none_or(|expected| numbers.eq(expected.iter().copied()))
+}
+
+fn holds(truth: &Truth, posterior: &Posterior) -> [Option<Held>; QUANTITIES.len()] {
+    let first = posterior.restitution_at(truth.first_impact_m_s);
+    let rest = posterior.total_time_s.zip(truth.rest_s);
     [
-        held(Some(posterior.restitution), Some(restitution)),
-        held(
-            posterior.restitution_at(fastest),
-            Some(drop.first_restitution()),
-        ),
-        held(Some(posterior.drop_height_m), Some(drop.height_m)),
-        held(posterior.total_time_s, drop.rest_s),
+        Some(Held::of(
+            posterior.restitution,
+            (truth.restitution)(posterior.at_speed_m_s),
+        )),
+        first.map(|first| Held::of(first, truth.first_restitution)),
+        Some(Held::of(posterior.drop_height_m, truth.height_m)),
+        rest.map(|(estimate, rest_s)| Held::of(estimate, rest_s)),
     ]
 }
 
-/// All drops of a scenario, on all cores.
-fn inferred(scenario: Scenario, laws: &[LawKind], drops: usize, max_impacts: usize) -> Vec<Fared> {
-    let options = Options::default();
+/// Drops of a scenario, on all cores.
+pub fn fared(row: Row, laws: &[LawKind], drops: usize, max_impacts: usize) -> Vec<Fared> {
     of_seeds(drops, |seed| {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
-        let drop = Drop::drawn(scenario, max_impacts, &options, &mut rng)?;
-        Some(fared(scenario, &drop, laws, seed))
+        let mut case = row.drawn(max_impacts, &mut rng)?;
+        case.options.priors.restitution_laws = laws.to_vec();
+        case.options.inference = Some(seeded(seed));
+        Some(Fared::of(&case))
     })
 }
 
+/// A row for each quantity that is asked.
 fn report(name: &str, all: &[Fared]) {
     for (place, quantity) in QUANTITIES.iter().enumerate() {
-        let of = all.iter().filter_map(|fared| fared.of[place]);
-        let mut sds: Vec<f64> = of.clone().map(|(.., sd)| sd).collect();
+        let held: Vec<Held> = all.iter().filter_map(|fared| fared.of[place]).collect();
+        if held.is_empty() && *quantity == "time until rest" {
+            continue;
+        }
+        let share = |count: usize, of: usize| 100.0 * count as f64 / of as f64;
+        let holds =
+            |is: fn(&Held) -> bool| share(held.iter().filter(|held| is(held)).count(), held.len());
+        let mut sds: Vec<f64> = held.iter().map(|held| held.relative_sd).collect();
         sds.sort_by(f64::total_cmp);
-        let percent = |held: usize| 100.0 * held as f64 / sds.len() as f64;
+        let mean_z = held.iter().map(|held| held.z).sum::<f64>() / held.len() as f64;
+        let is_silent = |fared: &&Fared| {
+            fared.warnings.is_empty() && fared.of[place].is_some_and(|held| !held.in95)
+        };
+        let unconverged = |fared: &&Fared| fared.of[place].is_some() && !fared.converged;
         println!(
-            "| {name} | {} | {quantity} | {:.1} | {:.1} | {:.2} | {} | {} | {} |",
+            "| {name} | {} | {quantity} | {:.1} | {:.1} | {mean_z:.2} | {:.2} | {} | {} | {} | {:.1} | {:.1} |",
             all.len(),
-            percent(of.clone().filter(|held| held.0).count()),
-            percent(of.filter(|held| held.1).count()),
+            holds(|held| held.in68),
+            holds(|held| held.in95),
             100.0 * sds.get(sds.len() / 2).copied().unwrap_or(f64::NAN),
-            all.len() - sds.len(),
-            all.iter()
-                .filter(|fared| fared.of[place].is_some() && !fared.converged)
-                .count(),
+            all.len() - held.len(),
+            all.iter().filter(unconverged).count(),
             all.iter().filter(|fared| !fared.numbered).count(),
+            share(
+                all.iter()
+                    .filter(|fared| !fared.warnings.is_empty())
+                    .count(),
+                all.len()
+            ),
+            share(all.iter().filter(is_silent).count(), all.len()),
         );
     }
 }
 
-/// Prints the table.
+/// Prints how often each warning was given.
+fn report_warnings(name: &str, all: &[Fared]) {
+    let mut codes: Vec<&str> = all
+        .iter()
+        .flat_map(|fared| fared.warnings.iter().copied())
+        .collect();
+    codes.sort_unstable();
+    codes.dedup();
+    let said = codes.iter().map(|code| {
+        let count = all
+            .iter()
+            .filter(|fared| fared.warnings.contains(code))
+            .count();
+        format!("{code} {count}")
+    });
+    eprintln!("{name}: {}", said.collect::<Vec<_>>().join(", "));
+}
+
+/// Prints the table, and which warnings were given to the standard error.
 pub(crate) fn run(arguments: &[String]) {
     let drops = arguments.iter().find_map(|word| word.parse().ok());
     let max_impacts = arguments
@@ -121,16 +265,19 @@ pub(crate) fn run(arguments: &[String]) {
         .find_map(|word| word.strip_prefix("impacts=")?.parse().ok())
         .unwrap_or(MAX_IMPACTS);
     let laws: Vec<LawKind> = arguments.iter().filter_map(|w| w.parse().ok()).collect();
-    let is_named = |scenario: &Scenario| arguments.iter().any(|word| word == scenario.name());
-    let all = !Scenario::ALL.iter().any(is_named);
+    let mut rows = Row::all();
+    let is_named = |row: &Row| arguments.iter().any(|word| word == row.name());
+    if rows.iter().any(is_named) {
+        rows.retain(is_named);
+    }
     println!(
-        "| scenario | drops | quantity | % in 68 | % in 95 | median sd, % | no answer | not converged | misnumbered |"
+        "| scenario | drops | quantity | % in 68 | % in 95 | mean deviation, sd | median sd, % | no answer | \
+         not converged | misnumbered | % warned | % outside 95 without a warning |"
     );
-    println!("|---|---|---|---|---|---|---|---|---|");
-    for scenario in Scenario::ALL {
-        if all || is_named(&scenario) {
-            let fared = inferred(scenario, &laws, drops.unwrap_or(300), max_impacts);
-            report(scenario.name(), &fared);
-        }
+    println!("|---|---|---|---|---|---|---|---|---|---|---|---|");
+    for row in rows {
+        let all = fared(row, &laws, drops.unwrap_or(300), max_impacts);
+        report(row.name(), &all);
+        report_warnings(row.name(), &all);
     }
 }

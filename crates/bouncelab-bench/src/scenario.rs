@@ -11,6 +11,8 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 
+use crate::misfit::{Case, Heard, Truth};
+
 /// What differs from the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scenario {
@@ -263,14 +265,26 @@ impl Drop {
     }
 
     /// The true restitution at an impact speed, m/s, on the surface of the impacts of this speed.
-    pub fn restitution(&self, speed_m_s: f64) -> f64 {
+    fn restitution(&self, speed_m_s: f64) -> f64 {
         let (factor, fastest_m_s) = self.second;
         let on_second = speed_m_s <= fastest_m_s;
         self.law.at(speed_m_s) * if on_second { factor } else { 1.0 }
     }
 
-    /// The true restitution of the first surface at the speed of the first impact.
-    pub fn first_restitution(&self) -> f64 {
-        self.law.at(self.first_impact_m_s)
+    /// It, as a list of times to be analysed with these options.
+    pub(crate) fn case(self, options: Options) -> Case {
+        Case {
+            heard: Heard::Times(self.times_s.clone()),
+            options,
+            truth: Truth {
+                // Of the first surface.
+                first_restitution: self.law.at(self.first_impact_m_s),
+                first_impact_m_s: self.first_impact_m_s,
+                height_m: self.height_m,
+                rest_s: self.rest_s,
+                numbers: Some(self.numbers.clone()),
+                restitution: Box::new(move |speed_m_s| self.restitution(speed_m_s)),
+            },
+        }
     }
 }
