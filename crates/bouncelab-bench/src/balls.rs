@@ -115,7 +115,10 @@ fn drop(
     };
     let options = Options::new(preset);
     // Drag goes with the density of the air, and weight with the mass.
-    let drag = spread(preset.drag_sd.hypot(preset.mass_sd), rng);
+    let drag = spread(
+        preset.known.drag_rel_sd.hypot(preset.known.mass_rel_sd),
+        rng,
+    );
     let air = options.environment.air;
     let air = bouncelab::air::Air::new(air.density_kg_m3() * drag, air.viscosity_pa_s())?;
     let model = options.clone().with_air(air).model()?;

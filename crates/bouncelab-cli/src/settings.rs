@@ -12,8 +12,8 @@ use bouncelab::settings::{
     AirSettings, AnalysisSettings, BallSettings, DetectionSettings, DropSettings, EditSettings,
     GravitySettings, InferenceSettings, Inferred, Input, Settings, Setup,
 };
-use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{ArgGroup, Args};
 
 use crate::failure::Failure;
 use crate::language::{text, translator};
@@ -30,16 +30,20 @@ pub(crate) struct SettingsArguments {
 
 /// Ball, air, drag and gravity.
 #[derive(Args, Clone, Debug)]
+#[command(
+    group = ArgGroup::new("kind_or_diameter").args(["ball", "diameter"]).multiple(true),
+    group = ArgGroup::new("kind_or_mass").args(["ball", "mass"]).multiple(true)
+)]
 pub(crate) struct PhysicsArguments {
-    /// The ball: a name such as table-tennis-40, tennis or basketball, or steel:10mm, glass:16mm
-    /// (default: table-tennis-40)
-    #[arg(long, value_name = "NAME", value_parser = units::ball, help_heading = "Ball", conflicts_with_all = ["mass", "diameter"])]
+    /// The ball: a name such as tennis, "ping pong" or marble, also with its diameter, as in steel:10mm; 'bouncelab
+    /// balls' lists them (default: table-tennis-40)
+    #[arg(long, value_name = "NAME", value_parser = units::ball, help_heading = "Ball")]
     ball: Option<String>,
-    /// Mass of the ball, as in 2.5g; requires --diameter
-    #[arg(long, allow_hyphen_values = true, value_parser = units::mass, help_heading = "Ball", requires = "diameter")]
+    /// Mass of the ball as weighed, as in 58g; without --ball it requires --diameter
+    #[arg(long, allow_hyphen_values = true, value_parser = units::mass, help_heading = "Ball", requires = "kind_or_diameter")]
     mass: Option<f64>,
-    /// Diameter of the ball, as in 38mm; requires --mass
-    #[arg(long, allow_hyphen_values = true, value_parser = units::length, help_heading = "Ball", requires = "mass")]
+    /// Diameter of the ball as measured, as in 38mm; without --ball it requires --mass
+    #[arg(long, allow_hyphen_values = true, value_parser = units::length, help_heading = "Ball", requires = "kind_or_mass")]
     diameter: Option<f64>,
     /// Contact time of ball and surface, as in 1ms (default: typical of the ball)
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time, help_heading = "Ball")]

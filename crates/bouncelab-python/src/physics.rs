@@ -66,13 +66,13 @@ pub(crate) fn balls() -> Vec<(&'static str, &'static str, f64, f64, f64, &'stati
     let presets = ball::presets().iter();
     presets
         .map(|it| {
-            let (mass_kg, diameter_m) = (it.ball.mass_kg(), it.ball.diameter_m());
+            let (mass_kg, diameter_m) = (it.known.ball.mass_kg(), it.known.ball.diameter_m());
             (
                 it.name,
                 it.label,
                 mass_kg,
                 diameter_m,
-                it.contact_time_s,
+                it.known.contact_time_s,
                 it.source,
             )
         })

@@ -332,15 +332,14 @@ impl Translator {
     pub fn ball(&self, ball: &BallKind) -> String {
         let diameter = |diameter_m| ("diameter", in_thousandths(diameter_m));
         match *ball {
-            BallKind::Preset(ref name) => self.named("ball", name),
-            BallKind::Steel(diameter_m) => self.text_with("ball-steel", &[diameter(diameter_m)]),
-            BallKind::Glass(diameter_m) => self.text_with("ball-glass", &[diameter(diameter_m)]),
-            BallKind::Measured {
-                mass_kg,
-                diameter_m,
-            } => {
-                let mass = ("mass", in_thousandths(mass_kg));
-                self.text_with("ball-measured", &[mass, diameter(diameter_m)])
+            BallKind::Preset(preset) => self.named("ball", preset.name),
+            BallKind::Sized(preset, diameter_m) => {
+                let name = self.named("ball", preset.name);
+                self.text_with("ball-sized", &[("ball", name.into()), diameter(diameter_m)])
+            }
+            BallKind::Measured(ball) => {
+                let mass = ("mass", in_thousandths(ball.mass_kg()));
+                self.text_with("ball-measured", &[mass, diameter(ball.diameter_m())])
             }
         }
     }
@@ -545,6 +544,8 @@ pub fn capital(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use bouncelab::ball::{self, Ball};
+
     use super::*;
 
     const SOURCE: &str = "decimal-point = ,\n\
@@ -629,18 +630,15 @@ mod tests {
     #[test]
     fn a_ball_has_a_name_in_every_language() {
         let named = |language, ball: BallKind| Translator::new(language).unwrap().ball(&ball);
-        for preset in bouncelab::ball::presets() {
-            let ball = BallKind::Preset(preset.name.to_owned());
-            assert_eq!(named("en", ball), preset.label);
+        for preset in ball::presets() {
+            assert_eq!(named("en", BallKind::Preset(preset)), preset.label);
         }
-        let football = BallKind::Preset("football".to_owned());
-        assert_eq!(named("fr", football), "football, taille 5");
-        assert_eq!(named("es", BallKind::Steel(0.0127)), "acero, 12,7 mm");
-        let (mass_kg, diameter_m) = (0.0025, 0.038);
-        let measured = BallKind::Measured {
-            mass_kg,
-            diameter_m,
-        };
+        let [football, steel] = ["football", "steel"].map(|name| ball::preset(name).unwrap());
+        let football = BallKind::Preset(football);
+        assert_eq!(named("de", football), "Fußball");
+        let steel = BallKind::Sized(steel, 0.0127);
+        assert_eq!(named("es", steel), "bola de acero, 12,7 mm");
+        let measured = BallKind::Measured(Ball::new(0.0025, 0.038).unwrap());
         assert_eq!(named("de", measured), "2,5 g, 38 mm");
     }
 

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use bouncelab::analyze_times;
 use bouncelab::diagnostic::{Code, Diagnostic};
 use bouncelab::groups::{CurvePoint, RestitutionCurve};
-use bouncelab::settings::{BallKind, Settings, Setup};
+use bouncelab::settings::{Settings, Setup};
 use bouncelab_report::groups::{self, About, GroupStudy, NotedDrop, Question, Reason};
 use bouncelab_report::messages::Translator;
 use bouncelab_report::report::{self, Markdown, Page, Provenance, ReportInput};
@@ -13,12 +13,10 @@ use bouncelab_report::report::{self, Markdown, Page, Provenance, ReportInput};
 /// A name that tries everything at once.
 const HOSTILE: &str = "a\"><script>alert('1')</script><img src=x onerror=alert(2)>--> ](javascript:x) `| $x$ & \n# b.wav";
 
-fn setup(ball: &str) -> Setup {
+fn setup() -> Setup {
     let mut settings = Settings::default();
     settings.inference.draws = Some(400);
-    let mut setup = settings.resolve().unwrap();
-    setup.ball = BallKind::Preset(ball.to_owned());
-    setup
+    settings.resolve().unwrap()
 }
 
 /// As many drops as wished, each ten flights of the paper's ball, recomputed with drag.
@@ -32,7 +30,7 @@ fn drops(count: usize) -> bouncelab::Recording {
         time_s += flight;
         times_s.push(time_s);
     }
-    let mut result = analyze_times(&times_s, &setup("").options);
+    let mut result = analyze_times(&times_s, &setup().options);
     result.drops = vec![result.drops[0].clone(); count];
     result
 }
@@ -44,7 +42,7 @@ fn page(name: &str, count: usize) -> Page {
 fn page_in(language: &Translator, name: &str, count: usize) -> Page {
     let recording = ReportInput {
         name,
-        setup: &setup(name),
+        setup: &setup(),
         result: &drops(count),
     };
     let provenance = Provenance {
@@ -193,7 +191,7 @@ fn a_recording_without_a_drop_says_why() {
     result.no_drop = Some(Diagnostic::new(Code::NoSound));
     let recording = ReportInput {
         name: "silence.wav",
-        setup: &setup("tennis"),
+        setup: &setup(),
         result: &result,
     };
     let html =

@@ -22,9 +22,9 @@ pub fn catalogue() -> bouncelab::Result<Catalogue> {
             .map(|preset| BallPreset {
                 name: preset.name.to_owned(),
                 label: preset.label.to_owned(),
-                mass_kg: preset.ball.mass_kg(),
-                diameter_m: preset.ball.diameter_m(),
-                contact_time_s: preset.contact_time_s,
+                mass_kg: preset.known.ball.mass_kg(),
+                diameter_m: preset.known.ball.diameter_m(),
+                contact_time_s: preset.known.contact_time_s,
                 source: preset.source.to_owned(),
             })
             .collect(),

@@ -109,7 +109,7 @@ impl Air {
     ///
     /// // The paper: 6200 at the first impact.
     /// let air = Air::new(1.2276, 1.8414e-5)?;
-    /// let ball = ball::preset("table-tennis-38")?.ball;
+    /// let ball = ball::preset("table-tennis-38")?.known.ball;
     /// assert_eq!(air.reynolds(&ball, 2.446).round(), 6197.0);
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
@@ -130,7 +130,7 @@ impl Ball {
     ///
     /// // The paper: 1.41 % of the weight.
     /// let air = Air::new(1.2276, 1.8414e-5)?;
-    /// let ball = ball::preset("table-tennis-38")?.ball;
+    /// let ball = ball::preset("table-tennis-38")?.known.ball;
     /// let share = ball.buoyancy_n(&air, 9.81) / ball.weight_n(9.81);
     /// assert_eq!(format!("{:.2} %", 100.0 * share), "1.41 %");
     /// # Ok::<(), bouncelab::Error>(())

@@ -44,7 +44,7 @@ fn bouncing(restitution: f64) -> Contact {
 #[test]
 fn a_law_that_ends_below_the_terminal_speed_drags_in_the_fall_too() {
     let lost_in_fall = |drag: DragLaw| {
-        let football = ball::preset("football").unwrap().ball;
+        let football = ball::preset("football").unwrap().known.ball;
         let model = FlightModel::new(&football, &environment(drag)).unwrap();
         let stop = Stop::after(1);
         let history = drop::simulate(&model, &bouncing(0.7), Start::Height(2.0), stop).unwrap();

@@ -6,7 +6,7 @@ import { hasText, language, text } from './language.ts';
 export const nameIn = (id: string, key: string): string => (hasText(id) ? text(id) : key);
 
 /** A ball in the language of the page. */
-export const ballName = (name: string): string => nameIn(`page-settings-balls-${name}`, name);
+export const ballName = (name: string): string => nameIn(`ball-${name}`, name);
 
 /** A drag law for people: the name of its authors, or the constant. */
 export function lawName(law: string): string {

@@ -83,17 +83,3 @@ kind-restitution-law = Ein Gesetz der Stoßzahl
 kind-rule = Eine Regel
 kind-flight = Flug
 kind-impact = Aufprall
-
-ball-table-tennis-40 = Tischtennis 40+
-ball-table-tennis-38 = Tischtennis 38 mm (bis 2000)
-ball-tennis = Tennis
-ball-football = Fußball, Größe 5
-ball-basketball = Basketball, Größe 7
-ball-golf = Golf
-ball-squash = Squash
-ball-racquetball = Racquetball
-ball-pickleball = Pickleball
-ball-padel = Padel
-ball-steel = Stahl, { $diameter } mm
-ball-glass = Glas, { $diameter } mm
-ball-measured = { $mass } g, { $diameter } mm

@@ -245,16 +245,6 @@ page-settings-reset = Alle Einstellungen vergessen
 page-settings-refused = Diese Einstellungen widersprechen sich:
 
 page-ball-row = Welcher Ball?
-page-settings-balls-table-tennis-40 = Tischtennis 40+
-page-settings-balls-table-tennis-38 = Tischtennis 38 mm
-page-settings-balls-tennis = Tennis
-page-settings-balls-football = Fußball
-page-settings-balls-basketball = Basketball
-page-settings-balls-golf = Golf
-page-settings-balls-squash = Squash
-page-settings-balls-racquetball = Racquetball
-page-settings-balls-pickleball = Pickleball
-page-settings-balls-padel = Padel
 
 page-keep-title = Aufheben
 page-keep-keep = Diesen Versuch aufheben

@@ -85,17 +85,3 @@ kind-restitution-law = restitution law
 kind-rule = rule
 kind-flight = flight
 kind-impact = impact
-
-ball-table-tennis-40 = table tennis 40+
-ball-table-tennis-38 = table tennis 38 mm (to 2000)
-ball-tennis = tennis
-ball-football = football, size 5
-ball-basketball = basketball, size 7
-ball-golf = golf
-ball-squash = squash
-ball-racquetball = racquetball
-ball-pickleball = pickleball
-ball-padel = padel
-ball-steel = steel, { $diameter } mm
-ball-glass = glass, { $diameter } mm
-ball-measured = { $mass } g, { $diameter } mm

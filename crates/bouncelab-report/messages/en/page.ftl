@@ -247,16 +247,6 @@ page-settings-reset = Reset all settings
 page-settings-refused = These settings contradict each other:
 
 page-ball-row = Which ball?
-page-settings-balls-table-tennis-40 = table tennis 40+
-page-settings-balls-table-tennis-38 = table tennis 38 mm
-page-settings-balls-tennis = tennis
-page-settings-balls-football = football
-page-settings-balls-basketball = basketball
-page-settings-balls-golf = golf
-page-settings-balls-squash = squash
-page-settings-balls-racquetball = racquetball
-page-settings-balls-pickleball = pickleball
-page-settings-balls-padel = padel
 
 page-keep-title = Keep
 page-keep-keep = Keep this drop

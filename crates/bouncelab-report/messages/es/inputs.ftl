@@ -83,17 +83,3 @@ kind-restitution-law = ley de restitución
 kind-rule = regla
 kind-flight = vuelo
 kind-impact = impacto
-
-ball-table-tennis-40 = tenis de mesa 40+
-ball-table-tennis-38 = tenis de mesa 38 mm (hasta 2000)
-ball-tennis = tenis
-ball-football = fútbol, talla 5
-ball-basketball = baloncesto, talla 7
-ball-golf = golf
-ball-squash = squash
-ball-racquetball = racquetball
-ball-pickleball = pickleball
-ball-padel = pádel
-ball-steel = acero, { $diameter } mm
-ball-glass = vidrio, { $diameter } mm
-ball-measured = { $mass } g, { $diameter } mm

@@ -248,16 +248,6 @@ page-settings-reset = Restablecer los ajustes
 page-settings-refused = Estos ajustes se contradicen:
 
 page-ball-row = ¿Qué pelota?
-page-settings-balls-table-tennis-40 = tenis de mesa 40+
-page-settings-balls-table-tennis-38 = tenis de mesa 38 mm
-page-settings-balls-tennis = tenis
-page-settings-balls-football = fútbol
-page-settings-balls-basketball = baloncesto
-page-settings-balls-golf = golf
-page-settings-balls-squash = squash
-page-settings-balls-racquetball = racquetball
-page-settings-balls-pickleball = pickleball
-page-settings-balls-padel = pádel
 
 page-keep-title = Guardar
 page-keep-keep = Guardar este ensayo

@@ -83,17 +83,3 @@ kind-restitution-law = loi de restitution
 kind-rule = règle
 kind-flight = vol
 kind-impact = impact
-
-ball-table-tennis-40 = tennis de table 40+
-ball-table-tennis-38 = tennis de table 38 mm (jusqu’en 2000)
-ball-tennis = tennis
-ball-football = football, taille 5
-ball-basketball = basket-ball, taille 7
-ball-golf = golf
-ball-squash = squash
-ball-racquetball = racquetball
-ball-pickleball = pickleball
-ball-padel = padel
-ball-steel = acier, { $diameter } mm
-ball-glass = verre, { $diameter } mm
-ball-measured = { $mass } g, { $diameter } mm

@@ -248,16 +248,6 @@ page-settings-reset = Réinitialiser les réglages
 page-settings-refused = Ces réglages se contredisent :
 
 page-ball-row = Quelle balle ?
-page-settings-balls-table-tennis-40 = tennis de table 40+
-page-settings-balls-table-tennis-38 = tennis de table 38 mm
-page-settings-balls-tennis = tennis
-page-settings-balls-football = football
-page-settings-balls-basketball = basket
-page-settings-balls-golf = golf
-page-settings-balls-squash = squash
-page-settings-balls-racquetball = racquetball
-page-settings-balls-pickleball = pickleball
-page-settings-balls-padel = padel
 
 page-keep-title = Conserver
 page-keep-keep = Conserver cet essai

@@ -23,7 +23,7 @@ const KINEMATIC_VISCOSITY_M2_S: f64 = 1.5e-5;
 
 /// The ball: 38 mm, 2.5 g.
 pub(super) fn ball() -> Result<Ball> {
-    Ok(ball::preset("table-tennis-38")?.ball)
+    Ok(ball::preset("table-tennis-38")?.known.ball)
 }
 
 /// The air that makes the printed numbers come out.

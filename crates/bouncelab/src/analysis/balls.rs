@@ -30,7 +30,7 @@ pub struct BallComparison {
 }
 
 impl Options {
-    /// The same with a comparison of the preset balls, which takes as long as ten inferences.
+    /// The same with a comparison of the preset balls, which takes as long as an inference of each.
     ///
     /// ```
     /// use bouncelab::{Options, analyze_times, ball, demo};
@@ -45,31 +45,6 @@ impl Options {
     #[must_use]
     pub fn with_ball_comparison(mut self) -> Self {
         self.compares_balls = true;
-        self
-    }
-
-    /// The same with a preset ball: mass, diameter and contact time, and how well they and its drag
-    /// are known.
-    ///
-    /// ```
-    /// use bouncelab::{Options, ball};
-    ///
-    /// let tennis = Options::default().with_preset(ball::preset("tennis")?);
-    /// assert_eq!(tennis.ball.mass_kg(), 57.7e-3);
-    /// # Ok::<(), bouncelab::Error>(())
-    /// ```
-    #[must_use]
-    pub fn with_preset(self, preset: &Preset) -> Self {
-        self.with_ball_of(&Self::new(preset))
-    }
-
-    /// The same with the ball of other options.
-    pub(crate) fn with_ball_of(mut self, other: &Self) -> Self {
-        self.ball = other.ball;
-        self.contact_time_s = other.contact_time_s;
-        self.priors.mass_rel_sd = other.priors.mass_rel_sd;
-        self.priors.diameter_rel_sd = other.priors.diameter_rel_sd;
-        self.priors.drag_rel_sd = other.priors.drag_rel_sd;
         self
     }
 }
@@ -95,7 +70,7 @@ pub(super) fn compare(drop: &Drop, options: &Options) -> Vec<BallComparison> {
     };
     let flights = drop.impacts.len().saturating_sub(1);
     let with = |preset: &Preset| {
-        let mut options = options.clone().with_preset(preset);
+        let mut options = options.clone().with_ball(preset);
         options.compares_balls = false;
         let found = analyze_impacts(drop.impacts.clone(), &options)
             .posterior
@@ -211,7 +186,7 @@ mod tests {
     fn said(true_ball: &str, restitution: fn(f64) -> f64) -> Option<Diagnostic> {
         let of = |options: &Options| FlightModel::new(&options.ball, &options.environment).unwrap();
         let stated = Options::default();
-        let truth = stated.clone().with_preset(ball::preset(true_ball).unwrap());
+        let truth = stated.clone().with_ball(ball::preset(true_ball).unwrap());
         let model = of(&truth);
         let mut speed_m_s = model.fall(2.5).unwrap().impact_speed_m_s;
         let mut time_s = 0.0;

@@ -27,7 +27,7 @@ mod result;
 use std::ops::RangeInclusive;
 
 use crate::air::{Air, Conditions};
-use crate::ball::{self, Ball, Preset};
+use crate::ball::{self, Ball, KnownBall};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::drag::DragLaw;
 use crate::error::InferenceFailure;
@@ -105,12 +105,12 @@ impl Default for Options {
 }
 
 impl Options {
-    /// A ball of which mass, size and contact time are known, in ordinary air, with the full
-    /// inference.
-    pub fn new(preset: &Preset) -> Self {
+    /// A ball in ordinary air, with the full inference; see [`Self::with_ball`].
+    pub fn new(ball: impl Into<KnownBall>) -> Self {
+        let known = ball.into();
         let air = Air::moist(&Conditions::default());
         Self {
-            ball: preset.ball,
+            ball: known.ball,
             environment: Environment {
                 gravity_m_s2: gravity::STANDARD_M_S2,
                 air: air.unwrap_or(Air::vacuum()),
@@ -118,9 +118,9 @@ impl Options {
                 buoyancy: true,
                 added_mass: true,
             },
-            contact_time_s: preset.contact_time_s,
+            contact_time_s: known.contact_time_s,
             flights: None,
-            priors: Priors::of_preset(preset),
+            priors: Priors::default().with_ball(&known),
             inference: Some(InferenceOptions::default()),
             detection: DetectionOptions::default(),
             edits: Edits::default(),
@@ -128,10 +128,25 @@ impl Options {
         }
     }
 
-    /// The same with another ball.
+    /// The same with another ball: a preset, or one of which only mass and diameter are known. Its contact time, and how
+    /// well it and its drag are known, come with it.
+    ///
+    /// ```
+    /// use bouncelab::ball::{self, Ball};
+    /// use bouncelab::Options;
+    ///
+    /// let tennis = Options::default().with_ball(ball::preset("tennis")?);
+    /// assert_eq!(tennis.ball.mass_kg(), 57.7e-3);
+    /// let own = Options::default().with_ball(Ball::new(0.6, 0.243)?);
+    /// assert!(own.contact_time_s > 5e-3);
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
     #[must_use]
-    pub fn with_ball(mut self, ball: Ball) -> Self {
-        self.ball = ball;
+    pub fn with_ball(mut self, ball: impl Into<KnownBall>) -> Self {
+        let known = ball.into();
+        self.ball = known.ball;
+        self.contact_time_s = known.contact_time_s;
+        self.priors = self.priors.with_ball(&known);
         self
     }
 

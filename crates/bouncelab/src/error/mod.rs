@@ -356,18 +356,26 @@ impl Error {
 
     /// An [`Error::UnknownName`] that suggests the known name most similar to `name`, the first of equally similar ones.
     pub fn unknown_name(kind: &'static str, name: &str, known: &[&str]) -> Self {
-        let likeness = |candidate: &&&str| strsim::jaro_winkler(name, candidate);
-        let nearest = known
-            .iter()
-            .rev()
-            .max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
         Self::UnknownName {
             kind,
             name: name.to_owned(),
-            nearest: nearest.map_or_else(String::new, ToString::to_string),
+            nearest: nearest(name, known.iter().copied()).to_owned(),
             known: known.join(", "),
         }
     }
+}
+
+/// The name most similar to one that is not known, the first of equally similar ones; empty if there are none.
+pub(crate) fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> &'a str {
+    let likeness = |candidate: &str| strsim::jaro_winkler(name, candidate);
+    let better = |best: &'a str, other: &'a str| {
+        if likeness(other) > likeness(best) {
+            other
+        } else {
+            best
+        }
+    };
+    known.reduce(better).unwrap_or_default()
 }
 
 impl InferenceFailure {

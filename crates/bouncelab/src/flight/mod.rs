@@ -19,7 +19,7 @@
 //!     buoyancy: false,
 //!     added_mass: false,
 //! };
-//! let model = FlightModel::new(&ball::preset("table-tennis-38")?.ball, &surroundings)?;
+//! let model = FlightModel::new(&ball::preset("table-tennis-38")?.known.ball, &surroundings)?;
 //! assert_eq!(format!("{:.2}", model.terminal_speed_m_s().unwrap()), "9.38");
 //!
 //! // Dropped from 30.5 cm it arrives with 2.405 m/s (Eq. 15).
@@ -187,7 +187,7 @@ impl FlightModel {
     ///     buoyancy: true,
     ///     added_mass: true,
     /// };
-    /// let model = FlightModel::new(&Ball::steel(0.01)?, &environment)?;
+    /// let model = FlightModel::new(&ball::preset("steel")?.known.ball, &environment)?;
     /// assert!(model.gravity_m_s2() < 9.81);
     /// // A balloon does not fall.
     /// assert!(FlightModel::new(&Ball::new(1e-3, 0.3)?, &environment).is_err());

@@ -42,7 +42,7 @@ fn quadrature_of_constant_drag(terminal_speed: f64) -> ReynoldsDrag {
 
 /// The paper's ball and air: the density is the one that its buoyancy of 3.46e-4 N implies.
 fn paper_model(drag: DragLaw) -> FlightModel {
-    let ball = ball::preset("table-tennis-38").unwrap().ball;
+    let ball = ball::preset("table-tennis-38").unwrap().known.ball;
     let density = 3.46e-4 / (GRAVITY * ball.volume_m3());
     let environment = Environment {
         gravity_m_s2: GRAVITY,
@@ -138,7 +138,7 @@ fn buoyancy_and_added_mass_reduce_gravity() {
             buoyancy: true,
             added_mass: true,
         };
-        let ball = ball::preset(name).unwrap().ball;
+        let ball = ball::preset(name).unwrap().known.ball;
         let model = FlightModel::new(&ball, &environment).unwrap();
         assert_eq!(format!("{:.5}", model.gravity_m_s2()), factor, "{name}");
         let buoyant =
@@ -318,7 +318,12 @@ fn terminal_speeds_balance_the_weight() {
         added_mass: false,
     };
     for diameter in [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 1.0] {
-        let model = FlightModel::new(&Ball::steel(diameter).unwrap(), &environment).unwrap();
+        let ball = ball::preset("steel")
+            .unwrap()
+            .measured(None, Some(diameter))
+            .unwrap()
+            .ball;
+        let model = FlightModel::new(&ball, &environment).unwrap();
         let terminal = model.terminal_speed_m_s().unwrap();
         let balance = model.drag_over_weight(terminal).unwrap();
         assert!(apart(balance, 1.0) < 1e-12, "{diameter} m: {balance}");

@@ -2,7 +2,7 @@
 
 use super::parameters::UNKNOWN;
 use super::scatter_prior;
-use crate::ball::Preset;
+use crate::ball::KnownBall;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::error::{Quantity, Result, positive, within};
 use crate::restitution::LawKind;
@@ -94,23 +94,25 @@ impl Default for Priors {
 }
 
 impl Priors {
-    /// The tolerances of a ball by the rules of its sport, and the usual ambient conditions.
+    /// The same with what is known of a ball, in place of the usual.
     ///
     /// ```
     /// use bouncelab::ball;
     /// use bouncelab::inference::Priors;
     ///
     /// // The drag of felt is known less well than that of a smooth ball.
-    /// let drag_rel_sd = |name| ball::preset(name).map(|ball| Priors::of_preset(ball).drag_rel_sd);
-    /// assert!(drag_rel_sd("tennis")? > drag_rel_sd("table-tennis-40")?);
+    /// let tennis = Priors::default().with_ball(&ball::preset("tennis")?.known);
+    /// assert!(tennis.drag_rel_sd > Priors::default().drag_rel_sd);
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
-    pub fn of_preset(preset: &Preset) -> Self {
+    #[must_use]
+    pub fn with_ball(self, known: &KnownBall) -> Self {
         Self {
-            mass_rel_sd: preset.mass_sd,
-            diameter_rel_sd: preset.diameter_sd,
-            drag_rel_sd: preset.drag_sd,
-            ..Self::default()
+            mass_rel_sd: known.mass_rel_sd,
+            diameter_rel_sd: known.diameter_rel_sd,
+            contact_time_rel_sd: known.contact_time_rel_sd,
+            drag_rel_sd: known.drag_rel_sd,
+            ..self
         }
     }
 

@@ -419,8 +419,8 @@ fn other_ball(rule: &Rule, ball: &Ball) -> Option<Remark> {
     const ALIKE: f64 = 0.1;
     let preset = ball::preset(rule.ball.as_ref()?).ok()?;
     let differs = |stated: f64, of_rule: f64| (stated / of_rule - 1.0).abs() > ALIKE;
-    let other = differs(ball.mass_kg(), preset.ball.mass_kg())
-        || differs(ball.diameter_m(), preset.ball.diameter_m());
+    let other = differs(ball.mass_kg(), preset.known.ball.mass_kg())
+        || differs(ball.diameter_m(), preset.known.ball.diameter_m());
     other.then_some(Remark::OtherBall(preset.name))
 }
 

@@ -41,8 +41,8 @@ impl Setup {
             return Vec::new();
         }
         let with = |(ball, kind): (&'static str, &str)| {
-            let other = Settings::of_ball(kind).resolve().ok()?;
-            let mut options = self.options.clone().with_ball_of(&other.options);
+            let (_, other) = Settings::of_ball(kind).ball.known().ok()?;
+            let mut options = self.options.clone().with_ball(other);
             options.compares_balls = false;
             let sampler = SamplerConfig {
                 draws: DRAWS,
@@ -72,7 +72,7 @@ mod tests {
     fn contrasts_are_the_results_for_that_ball() {
         let setup = Settings::default().resolve().unwrap();
         let tennis = ball::preset("tennis").unwrap();
-        let tennis = setup.options.clone().with_preset(tennis);
+        let tennis = setup.options.clone().with_ball(tennis);
         let times_s: Vec<f64> = demo::history()
             .unwrap()
             .impact_events()

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
+use super::plausibility::{Ordinary, reading, shown};
 use crate::analysis::Options;
 use crate::drag::DragLaw;
 use crate::error::{Quantity, within};
@@ -37,6 +38,28 @@ pub struct InferenceSettings {
     /// Seed of the random numbers; 1 if left out.
     pub seed: Option<u64>,
 }
+
+/// Ordinary values.
+pub(super) const ORDINARY: &[Ordinary] = &[
+    Ordinary {
+        quantity: "impact-speed",
+        given: |settings| settings.inference.at_speed_m_s,
+        // From impacts that nobody hears to a fall of 100 m.
+        range: 0.001..=50.0,
+        shown: shown("m/s"),
+        readings: &[reading(0.01, "cm/s"), reading(0.001, "mm/s")],
+    },
+    Ordinary {
+        quantity: "apex",
+        given: |settings| {
+            let apexes = settings.inference.reach.iter().flatten();
+            apexes.map(|target| target.apex_m).max_by(f64::total_cmp)
+        },
+        range: 0.001..=10.0,
+        shown: shown("m"),
+        readings: &[reading(0.01, "cm"), reading(0.001, "mm")],
+    },
+];
 
 macro_rules! inputs {
     ($(#[$meta:meta])+ $type:ident { $($(#[$doc:meta])+ $variant:ident = $name:literal;)+ }) => {

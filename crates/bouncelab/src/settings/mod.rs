@@ -5,11 +5,12 @@
 //! is a diagnostic, and what is given counts as measured with ordinary care.
 //!
 //! ```
+//! use bouncelab::ball;
 //! use bouncelab::settings::{BallKind, BallSettings, Settings};
 //!
 //! let ball = BallSettings { kind: Some("tennis".to_owned()), ..BallSettings::default() };
 //! let setup = Settings { ball, ..Settings::default() }.resolve()?;
-//! assert_eq!(setup.ball, BallKind::Preset("tennis".to_owned()));
+//! assert_eq!(setup.ball, BallKind::Preset(ball::preset("tennis")?));
 //! let codes: Vec<_> = setup.assumptions.iter().map(|assumed| assumed.code.name()).collect();
 //! assert!(codes.contains(&"assumed-gravity"));
 //! # Ok::<(), bouncelab::Error>(())
@@ -29,7 +30,7 @@ use crate::analysis::Options;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::drag::DragLaw;
 use crate::flight::Environment;
-use crate::inference::Measured;
+use crate::inference::{Measured, Priors};
 use crate::rulebook::Rule;
 
 pub use air::AirSettings;
@@ -97,7 +98,7 @@ pub struct Setup {
 }
 
 impl Settings {
-    /// The settings of a preset ball, `steel:DIAMETER_M` or `glass:DIAMETER_M`, and of nothing else.
+    /// The settings of a preset ball, also with its diameter as in `steel:0.01`, and of nothing else.
     #[must_use]
     pub fn of_ball(kind: &str) -> Self {
         let ball = BallSettings {
@@ -128,7 +129,7 @@ impl Settings {
     pub fn resolve(&self) -> Result<Setup> {
         let mut assumptions = Vec::new();
         let drag = self.air.drag()?;
-        let (kind, ball) = self.ball.resolve(&mut assumptions)?;
+        let (kind, known) = self.ball.resolve(&mut assumptions)?;
         let environment = Environment {
             gravity_m_s2: self.gravity.resolve(&mut assumptions)?,
             air: self.air.resolve(&mut assumptions)?,
@@ -138,11 +139,11 @@ impl Settings {
             added_mass: self.air.added_mass != Some(false) && drag != DragLaw::None,
         };
         let mut options = Options {
-            ball: ball.ball,
+            ball: known.ball,
             environment,
-            contact_time_s: ball.contact_time_s,
+            contact_time_s: known.contact_time_s,
             flights: self.analysis.flights(),
-            priors: ball.priors,
+            priors: Priors::default().with_ball(&known),
             inference: None,
             detection: self.detection.resolve(),
             edits: self.edits.resolve(),
@@ -150,7 +151,6 @@ impl Settings {
         };
         // A ball that cannot fall is refused here, before a recording is read.
         options.model()?;
-        self.ball.inform(&mut options.priors);
         self.air.inform(&mut options.priors);
         self.gravity.inform(&mut options.priors);
         self.drop.inform(&mut options.priors);

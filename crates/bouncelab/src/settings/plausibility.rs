@@ -14,7 +14,7 @@
 
 use std::ops::RangeInclusive;
 
-use super::{BallSettings, Settings, air, ball, drop, gravity};
+use super::{Settings, air, ball, drop, gravity, inference};
 use crate::ball::Ball;
 use crate::diagnostic::{Code, Diagnostic};
 
@@ -66,6 +66,7 @@ fn ordinary() -> impl Iterator<Item = &'static Ordinary> {
         air::ORDINARY,
         gravity::ORDINARY,
         drop::ORDINARY,
+        inference::ORDINARY,
     ]
     .into_iter()
     .flatten()
@@ -73,22 +74,16 @@ fn ordinary() -> impl Iterator<Item = &'static Ordinary> {
 
 /// A question for each setting that another unit would explain better.
 pub(super) fn of_settings(settings: &Settings) -> Vec<Diagnostic> {
-    let BallSettings {
-        mass_kg,
-        diameter_m,
-        ..
-    } = settings.ball;
-    let ball = mass_kg.zip(diameter_m).and_then(|(mass_kg, diameter_m)| {
-        // Numbers that no ball has are refused later, by `Settings::resolve`.
-        of_ball(&Ball::new(mass_kg, diameter_m).ok()?)
-    });
     let quantities = ordinary().filter_map(|it| it.question((it.given)(settings)?));
+    // A ball that there cannot be is refused later, by `Settings::resolve`.
+    let ball = settings.ball.known().ok();
+    let ball = ball.and_then(|(_, known)| of_ball(&known.ball));
     quantities.chain(ball).collect()
 }
 
 /// A question, if a value in SI units is out of the ordinary. Quantities are `height`, `height-sd`,
-/// `temperature`, `pressure`, `humidity`, `contact-time`, `gravity`, `altitude` and `air-density`; of
-/// any other nothing is asked.
+/// `temperature`, `pressure`, `humidity`, `contact-time`, `gravity`, `altitude`, `air-density`, `impact-speed` and
+/// `apex`; of any other nothing is asked.
 ///
 /// ```
 /// use bouncelab::settings::plausibility::of_quantity;
@@ -143,6 +138,19 @@ fn other_scale(kelvin: f64, fits: impl Fn(f64) -> bool) -> Option<(f64, &'static
     other.map(|(_, scale)| (degrees, scale))
 }
 
+/// The diameter of a ball: from the smallest bearing balls to a gymnastics ball.
+const DIAMETER: Ordinary = Ordinary {
+    quantity: "ball-diameter",
+    given: |_| None,
+    range: 5e-4..=1.0,
+    shown: shown("m"),
+    readings: &[
+        reading(0.001, "mm"),
+        reading(0.01, "cm"),
+        reading(0.0254, "in"),
+    ],
+};
+
 /// A question, if no ball has this mass and diameter.
 ///
 /// ```
@@ -152,6 +160,8 @@ fn other_scale(kelvin: f64, fits: impl Fn(f64) -> bool) -> Option<(f64, &'static
 /// assert_eq!(of_ball(&Ball::new(2.5e-3, 0.038)?), None);
 /// // The mass was in grams.
 /// assert!(of_ball(&Ball::new(2.5, 0.038)?).is_some());
+/// // A steel ball of 10 m.
+/// assert!(of_ball(&Ball::new(4.09e6, 10.0)?).is_some());
 /// # Ok::<(), bouncelab::Error>(())
 /// ```
 pub fn of_ball(ball: &Ball) -> Option<Diagnostic> {
@@ -163,7 +173,7 @@ pub fn of_ball(ball: &Ball) -> Option<Diagnostic> {
     };
     let (mass, diameter) = (ball.mass_kg(), ball.diameter_m());
     if fits(mass, diameter) {
-        return None;
+        return DIAMETER.question(diameter);
     }
     let question = Diagnostic::new(Code::ImplausibleBall)
         .with("mass_kg", significant(mass))
@@ -203,12 +213,14 @@ mod tests {
             ("pressure", 101_325.0),
             ("humidity", 0.5),
             ("contact-time", 0.001),
+            ("impact-speed", 2.4),
+            ("apex", 0.28),
             ("mass", 1e9),
         ] {
             assert_eq!(of_quantity(quantity, value), None, "{quantity} {value}");
         }
         for preset in ball::presets() {
-            assert_eq!(of_ball(&preset.ball), None, "{}", preset.name);
+            assert_eq!(of_ball(&preset.known.ball), None, "{}", preset.name);
         }
     }
 
@@ -224,6 +236,8 @@ mod tests {
             ("temperature", 566.3, 293.15, "K"),
             ("temperature", 343.15, 70.0, "F"),
             ("gravity", 981.0, 981.0, "cm/s2"),
+            ("impact-speed", 240.0, 240.0, "cm/s"),
+            ("apex", 28.0, 28.0, "cm"),
         ] {
             let question = of_quantity(quantity, value).unwrap();
             assert_eq!(question.number("meant"), Some(meant), "{quantity} {value}");
@@ -233,5 +247,29 @@ mod tests {
         let ball = |mass, diameter| of_ball(&Ball::new(mass, diameter).unwrap()).unwrap();
         assert_eq!(ball(2.5, 0.038).number("meant_g"), Some(2.5));
         assert_eq!(ball(0.0025, 38.0).number("meant_mm"), Some(38.0));
+    }
+
+    /// As stated, not as resolved: the ball is questioned by what its kind and its numbers make together.
+    #[test]
+    fn absurd_settings_are_questioned() {
+        let of = |change: fn(&mut Settings)| {
+            let mut settings = Settings::default();
+            change(&mut settings);
+            let questions = settings.questions();
+            assert_eq!(questions.len(), 1, "{questions:?}");
+            questions[0].clone()
+        };
+        assert!(Settings::of_ball("steel:0.01").questions().is_empty());
+        let steel = Settings::of_ball("steel:10").questions();
+        assert_eq!(steel[0].number("meant"), Some(10.0));
+        assert_eq!(steel[0].arguments["meant_unit"], Argument::from("mm"));
+        let tennis = of(|settings| {
+            settings.ball.kind = Some("tennis".to_owned());
+            settings.ball.mass_kg = Some(58.0);
+        });
+        assert_eq!(tennis.number("meant_g"), Some(58.0));
+        let fast = of(|settings| settings.inference.at_speed_m_s = Some(1e6));
+        assert_eq!(fast.arguments["quantity"], Argument::from("impact-speed"));
+        assert_eq!(fast.number("meant"), None);
     }
 }

@@ -29,7 +29,7 @@ fn assert_prints(value: f64, printed: &str) {
 }
 
 fn ball() -> Ball {
-    ball::preset("table-tennis-38").unwrap().ball
+    ball::preset("table-tennis-38").unwrap().known.ball
 }
 
 fn air() -> Air {
