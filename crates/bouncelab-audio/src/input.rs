@@ -7,23 +7,22 @@ use bouncelab::{Detector, Options, Plain};
 
 use crate::error::{Error, Result};
 use crate::source::SoundReader;
-use crate::times;
+use crate::times::{self, Listed, TimeList};
 use crate::warning::Warning;
-use crate::waveform::Waveform;
 
 /// The content of a file: a recording, or impact times that another program or a person measured.
 #[derive(Debug)]
 pub enum Input {
     /// A recording, opened.
     Sound(Box<SoundReader>),
-    /// Impact times in seconds, strictly increasing.
-    Times(Vec<f64>),
+    /// A list of impact times.
+    Times(TimeList),
 }
 
 impl Input {
     /// Opens a file: as a list of times if its name has one of the [`times::endings`], otherwise
-    /// as sound, whose format is recognised by its content. A table of a sampled waveform (at least 1000 rows:
-    /// time at equal distances, and one column for each channel) is sound too.
+    /// as sound, whose format is recognised by its content. A table of a sampled waveform (times at equal distances, and
+    /// one column for each channel) is sound too.
     ///
     /// # Errors
     ///
@@ -32,7 +31,7 @@ impl Input {
         let path = path.as_ref();
         if times::is_list(&path.to_string_lossy()) {
             let name = String::from(Plain::path(path));
-            return Self::of_text(&times::bytes(path)?, &name);
+            return Self::of_list(&times::bytes(path)?, &name);
         }
         SoundReader::open(path).map(|source| Self::Sound(Box::new(source)))
     }
@@ -45,7 +44,7 @@ impl Input {
     pub fn from_bytes(bytes: impl Into<Arc<[u8]>>, name: &str) -> Result<Self> {
         let bytes = bytes.into();
         if times::is_list(name) {
-            return Self::of_text(&bytes, name);
+            return Self::of_list(&bytes, name);
         }
         SoundReader::from_bytes(bytes, name).map(|source| Self::Sound(Box::new(source)))
     }
@@ -60,17 +59,16 @@ impl Input {
         R: Read + Seek + Send + Sync + 'static,
     {
         if times::is_list(name) {
-            return Self::of_text(&times::bytes_of(reader, name)?, name);
+            return Self::of_list(&times::bytes_of(reader, name)?, name);
         }
         SoundReader::from_reader(reader, name).map(|source| Self::Sound(Box::new(source)))
     }
 
-    /// Reads a text as a sampled waveform if it is a table of one, else as a list of times.
-    fn of_text(bytes: &[u8], name: &str) -> Result<Self> {
-        let text = std::str::from_utf8(bytes).unwrap_or_default();
-        match Waveform::find(text.trim_start_matches('\u{feff}'), name)? {
-            Some(waveform) => Ok(Self::Sound(Box::new(waveform.source(name)?))),
-            None => times::parse(bytes, name).map(Self::Times),
+    /// Reads a file with the name of a list as a list, or as a sampled waveform.
+    fn of_list(bytes: &[u8], name: &str) -> Result<Self> {
+        match times::listed(bytes, name)? {
+            Listed::Times(list) => Ok(Self::Times(list)),
+            Listed::Waveform(waveform) => Ok(Self::Sound(Box::new(waveform.source(name)?))),
         }
     }
 
@@ -98,7 +96,7 @@ impl Input {
         mut watch: impl FnMut(f64) -> std::result::Result<(), E>,
     ) -> std::result::Result<Plan, E> {
         let mut source = match self {
-            Self::Times(times_s) => return Ok(Plan::of_times(&times_s, options)),
+            Self::Times(list) => return Ok(Plan::of_list(&list.times_s, list.origin, options)),
             Self::Sound(source) => source,
         };
         let (rate_hz, channels) = (source.sample_rate_hz(), source.channels());

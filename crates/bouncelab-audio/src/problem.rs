@@ -180,8 +180,65 @@ pub enum TimesProblem {
         /// From row to row on average, in seconds.
         mean_s: f64,
     },
-    /// The content is not UTF-8.
-    #[error("not text; save the list as UTF-8")]
+    /// A table of samples that are too slow for sound.
+    #[error(
+        "a table of {rows} samples, {rate_hz} a second, and no list of impact times; sound needs at least {min_hz} a \
+         second; list the times of the impacts"
+    )]
+    Sampled {
+        /// Number of samples.
+        rows: usize,
+        /// Samples a second.
+        rate_hz: f64,
+        /// The minimum of sound.
+        min_hz: u32,
+    },
+    /// A table of positions over time.
+    #[error(
+        "positions over time, and no list of impact times (columns: {found}); analyze the recording, or list the times \
+         of the impacts"
+    )]
+    Positions {
+        /// The headings.
+        found: String,
+    },
+    /// Times of several drops, in columns or rows.
+    #[error(
+        "several columns of times and {rows} rows (columns: {found}); a list has one drop: one column of times, or one \
+         row of stops"
+    )]
+    SeveralDrops {
+        /// The headings.
+        found: String,
+        /// Number of rows below them.
+        rows: usize,
+    },
+    /// Numbers without a heading are in no order.
+    #[error(
+        "{number} after {before}: numbers without a heading are impact times, which increase, or intervals, which \
+         decrease; write time_s or interval_s above them; samples need a column of times"
+    )]
+    NoOrder {
+        /// The number that is out of order.
+        number: f64,
+        /// The number before it.
+        before: f64,
+    },
+    /// An interval is not positive.
+    #[error(
+        "{text} is no interval from one impact to the next; expected a number above 0, in seconds"
+    )]
+    NotInterval {
+        /// The interval.
+        text: String,
+    },
+    /// The file is not a layer of Sonic Visualiser with a sample rate.
+    #[error(
+        "not a layer of Sonic Visualiser with a model and points; export it again (File > Export Annotation Layer)"
+    )]
+    NotLayer,
+    /// The content is not text.
+    #[error("not text; save the list as text, CSV or a sheet")]
     NotText,
     /// The file is not a table.
     #[error("{detail}")]
@@ -214,7 +271,9 @@ pub enum TimesProblem {
         found: String,
     },
     /// The first line names columns, none of which holds times.
-    #[error("no column is named time_s, time_ms or Time (s); found: {found}")]
+    #[error(
+        "no heading has a word for time or impact with a unit, such as time_s, time_ms, Time (s) or interval_s; found: {found}"
+    )]
     NoTimeColumn {
         /// The names that are there.
         found: String,

@@ -7,14 +7,24 @@
 
 use std::cmp::Ordering;
 
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::problem::TimesProblem;
-use crate::source::SoundReader;
-use crate::times::heading::seconds;
+use crate::source::{MIN_SAMPLE_RATE_HZ, SoundReader};
+use crate::times::heading::{is_of_times, seconds};
+use crate::times::table::{number, separator};
 use crate::wav::{SampleFormat, encode_wav};
 
-/// Minimum number of rows: no list of impacts has so many at equal distances.
-const MIN_ROWS: usize = 1_000;
+/// Minimum number of rows with equal distances.
+const MIN_ROWS: usize = 4;
+/// Minimum number of rows of a waveform of which some are missing or damaged.
+const MIN_DAMAGED_ROWS: usize = 20;
+/// Minimum share of equal distances in such a waveform.
+const MIN_EQUAL: f64 = 0.9;
+/// Maximum relative deviation of an equal distance from the median.
+const MAX_DEVIATION: f64 = 0.02;
+/// Maximum relative difference of the mean distances in the first and in the last third of the rows: those of a list of
+/// impacts fall.
+const MAX_TREND: f64 = 0.01;
 /// Maximum number of samples of all channels, which are kept in memory.
 const MAX_SAMPLES: usize = 1 << 23;
 /// Maximum number of lines of headings: some instruments write a page of settings first.
@@ -36,33 +46,60 @@ pub(crate) struct Waveform {
 }
 
 impl Waveform {
-    /// The waveform in a text; `None` if the text is not a table of one: it has too few rows or columns.
+    /// The waveform in a text; `None` if the text is not a table with times at equal distances.
     ///
     /// # Errors
     ///
-    /// [`Error::Times`] with the line that does not belong to a waveform: it has a cell that is not a number, more or
-    /// fewer cells, or a time at another distance.
-    pub(crate) fn find(text: &str, name: &str) -> Result<Option<Self>> {
-        let Some(table) = NumberTable::find(text) else {
+    /// The line that does not belong to a waveform: it has a cell that is not a number, more or fewer cells, or a time at
+    /// another distance. Samples that are too slow for sound.
+    pub(crate) fn find(
+        text: &str,
+        is_csv: bool,
+    ) -> std::result::Result<Option<Self>, (Option<usize>, TimesProblem)> {
+        let Some(table) = NumberTable::find(text, is_csv) else {
             return Ok(None);
         };
         // Vectors that grow would take twice as much memory.
         let mut times = Vec::with_capacity(table.rows);
         let samples = || Vec::with_capacity(table.rows);
         let mut channels: Vec<Vec<f32>> = (1..table.columns).map(|_| samples()).collect();
+        let mut fault = None;
         for (line, row) in lines(text).skip(table.headings) {
-            let fail = |problem| Error::times(name, Some(line), problem);
-            times.push(table.row(row, &mut channels).map_err(fail)?);
+            match table.row(row, &mut channels) {
+                Ok(time) => times.push(time),
+                Err(problem) => fault = fault.or(Some((Some(line), problem))),
+            }
         }
-        let Some(rate) = rate(&times) else {
-            return Err(table.uneven(text, name, &times));
+        let Some(step) = step(&times).or_else(|| usual_step(&times)) else {
+            return Ok(None);
         };
-        let rate_hz = rate / table.unit_s;
-        let is_rate = (1.0..=f64::from(u32::MAX)).contains(&rate_hz);
-        Ok(is_rate.then(|| Self {
+        let rate_hz = 1.0 / (step * table.unit_s);
+        let is_sound = rate_hz >= f64::from(MIN_SAMPLE_RATE_HZ);
+        if !is_sound && !table.has_times {
+            return Ok(None);
+        }
+        let waveform = Self {
             sample_rate_hz: rate_hz.round() as u32,
             channels,
-        }))
+        };
+        if let Some(fault) = fault {
+            Err(fault)
+        } else if self::step(&times).is_none() {
+            Err(table.uneven(text, &times))
+        } else if is_sound {
+            Ok(Some(waveform))
+        } else {
+            Err((None, waveform.sampled()))
+        }
+    }
+
+    /// What to say where it cannot be used: it is no list of impacts.
+    pub(crate) fn sampled(&self) -> TimesProblem {
+        TimesProblem::Sampled {
+            rows: self.channels.first().map_or(0, Vec::len),
+            rate_hz: f64::from(self.sample_rate_hz),
+            min_hz: MIN_SAMPLE_RATE_HZ,
+        }
     }
 
     /// The sound, scaled down to full scale if it is louder: the unit of a voltage or an app has no relation to it.
@@ -85,17 +122,24 @@ struct NumberTable {
     columns: usize,
     /// The unit of the times, in seconds.
     unit_s: f64,
+    /// Whether the heading of the first column is one of times.
+    has_times: bool,
     /// Number of lines in front of the rows.
     headings: usize,
     rows: usize,
 }
 
 impl NumberTable {
-    fn find(text: &str) -> Option<Self> {
+    fn find(text: &str, is_csv: bool) -> Option<Self> {
         let mut heading = "";
+        let mut has_times = false;
         for (headings, (_, line)) in lines(text).take(MAX_HEADINGS).enumerate() {
-            let Some((separator, columns)) = layout(line) else {
-                heading = line;
+            let Some((separator, columns)) = layout(heading, line, is_csv) else {
+                // A single number is a row of one column.
+                if number(line, ',').is_none() {
+                    heading = line;
+                    has_times |= is_of_times(line);
+                }
                 continue;
             };
             let rows = lines(text).skip(headings).count();
@@ -104,6 +148,7 @@ impl NumberTable {
                 separator,
                 columns,
                 unit_s: unit_s(heading, separator),
+                has_times,
                 headings,
                 rows,
             });
@@ -119,7 +164,8 @@ impl NumberTable {
         let mut time = f64::NAN;
         let mut found = 0;
         for cell in cells(row, self.separator) {
-            let number = number(cell, self.separator).ok_or_else(|| not_sample(cell))?;
+            let number =
+                number(cell, decimal_sign(self.separator)).ok_or_else(|| not_sample(cell))?;
             if found == 0 {
                 time = number;
             } else if let Some(channel) = channels.get_mut(found - 1) {
@@ -135,8 +181,8 @@ impl NumberTable {
         }
     }
 
-    /// The error for times at unequal distances, with the first line at an unusual distance from the line before.
-    fn uneven(&self, text: &str, name: &str, times: &[f64]) -> Error {
+    /// The first line at an unusual distance from the line before.
+    fn uneven(&self, text: &str, times: &[f64]) -> (Option<usize>, TimesProblem) {
         let intervals = || times.windows(2).map(|pair| pair[1] - pair[0]);
         let mean = intervals().sum::<f64>() / (times.len() - 1) as f64;
         let deviation = |interval: f64| (interval - mean).abs();
@@ -148,7 +194,7 @@ impl NumberTable {
         let (row, interval) = first.unwrap_or_default();
         let line = lines(text).nth(self.headings + row).map(|(line, _)| line);
         let [interval_s, mean_s] = [interval, mean].map(|time| time * self.unit_s);
-        Error::times(name, line, TimesProblem::Uneven { interval_s, mean_s })
+        (line, TimesProblem::Uneven { interval_s, mean_s })
     }
 }
 
@@ -158,9 +204,12 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     lines.filter(|(_, line)| !line.trim().is_empty())
 }
 
-/// Separator and number of columns of a row of numbers.
-fn layout(line: &str) -> Option<(char, usize)> {
-    let mut separators = [';', '\t', ',', ' '].into_iter();
+/// Separator and number of columns of a row of numbers below a heading.
+fn layout(heading: &str, line: &str, is_csv: bool) -> Option<(char, usize)> {
+    let mut separators = separator(&[heading, line], is_csv)
+        .map(char::from)
+        .into_iter()
+        .chain([' ']);
     separators.find_map(|separator| {
         let cells = numbers(line, separator).take(MAX_COLUMNS + 1);
         let columns = cells.collect::<Option<Vec<f64>>>()?.len();
@@ -172,24 +221,22 @@ fn layout(line: &str) -> Option<(char, usize)> {
 
 /// The numbers of a row; `None` for a cell that is not a number.
 fn numbers(line: &str, separator: char) -> impl Iterator<Item = Option<f64>> {
-    cells(line, separator).map(move |cell| number(cell, separator))
+    cells(line, separator).map(move |cell| number(cell, decimal_sign(separator)))
 }
 
 /// The cells of a row that are not empty.
 fn cells(line: &str, separator: char) -> impl Iterator<Item = &str> {
-    let cells = line.trim().split(separator).map(str::trim);
+    let cells = line
+        .trim()
+        .split(separator)
+        .map(|cell| cell.trim().trim_matches('"'));
     // Several spaces are one separator, and some programs end each row with a separator.
     cells.filter(|cell| !cell.is_empty())
 }
 
-fn number(cell: &str, separator: char) -> Option<f64> {
-    let cell = cell.trim_matches('"');
-    let number = if separator == ',' {
-        cell.parse()
-    } else {
-        cell.replace(',', ".").parse()
-    };
-    number.ok().filter(|number: &f64| number.is_finite())
+/// The decimal sign besides the point.
+fn decimal_sign(separator: char) -> char {
+    if separator == ',' { '.' } else { ',' }
 }
 
 /// The unit of the times in seconds, by their heading: "Time (ms)", "`time_us`".
@@ -203,12 +250,12 @@ fn unit_s(heading: &str, separator: char) -> f64 {
     words.find_map(seconds).unwrap_or(1.0)
 }
 
-/// Number of times in their unit, if they are at equal distances.
+/// The distance of the times, if it is the same from the first to the last.
 ///
 /// Times may have been written with too few digits: then several rows have the same time, and the distances between
 /// others are steps of the last digit. The row at which the time changes is certain to one row, and so the rate is known
 /// to one row in all.
-fn rate(times: &[f64]) -> Option<f64> {
+fn step(times: &[f64]) -> Option<f64> {
     let mut changes = (1..times.len()).filter(|&row| times[row] > times[row - 1]);
     let first = changes.next()?;
     let last = changes.next_back()?;
@@ -220,8 +267,38 @@ fn rate(times: &[f64]) -> Option<f64> {
         let expected = times[first] + step * (row as f64 - first as f64);
         (time - expected).abs() <= MAX_OFFSET * grid
     };
-    let is_even = step > 0.0
+    let is_even = times.len() >= MIN_ROWS
+        && step > 0.0
         && steps().all(|step| (0.0..=MAX_INTERVAL * grid).contains(&step))
-        && times.iter().enumerate().all(is_in_place);
-    is_even.then_some(1.0 / step)
+        && times.iter().enumerate().all(is_in_place)
+        && is_steady(
+            times,
+            if steps().any(|step| step == 0.0) {
+                grid
+            } else {
+                0.0
+            },
+        );
+    is_even.then_some(step)
+}
+
+/// Whether rows are as far apart at the end as at the beginning; each time is rounded by up to half of `rounding`.
+fn is_steady(times: &[f64], rounding: f64) -> bool {
+    let third = (times.len() - 1) / 3;
+    let last = times.len() - 1;
+    let early = times[third] - times[0];
+    let late = times[last] - times[last - third];
+    let mean = (times[last] - times[0]) * third as f64 / last as f64;
+    (late - early).abs() <= MAX_TREND * mean + 2.0 * rounding
+}
+
+/// The distance that nearly all of many times have.
+fn usual_step(times: &[f64]) -> Option<f64> {
+    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    steps.sort_by(f64::total_cmp);
+    let usual = *steps.get(steps.len() / 2)?;
+    let is_equal = |step: &&f64| (*step / usual - 1.0).abs() <= MAX_DEVIATION;
+    let equal = steps.iter().filter(is_equal).count();
+    let is_usual = times.len() >= MIN_DAMAGED_ROWS && usual > 0.0;
+    (is_usual && equal as f64 >= MIN_EQUAL * steps.len() as f64).then_some(usual)
 }

@@ -123,8 +123,9 @@ fn changed_bytes_in_lists_of_times_do_not_panic() {
                 let place = dice.below(bytes.len());
                 bytes[place] = dice.below(256) as u8;
             }
-            if let Ok(times) = times::parse(&bytes, name) {
-                assert!(times.is_sorted() && times.iter().all(|time| time.is_finite()));
+            if let Ok(list) = times::parse(&bytes, name) {
+                let times_s = list.times_s;
+                assert!(times_s.is_sorted() && times_s.iter().all(|time_s| time_s.is_finite()));
             }
         }
     }

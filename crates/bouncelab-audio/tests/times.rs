@@ -5,7 +5,7 @@ use std::fs;
 use bouncelab_audio::{Error, Input, times};
 
 fn parse(text: &str, name: &str) -> Vec<f64> {
-    times::parse(text.as_bytes(), name).unwrap()
+    times::parse(text.as_bytes(), name).unwrap().times_s
 }
 
 /// The line that is blamed, and the whole message.
@@ -143,7 +143,10 @@ fn a_point_tier_of_praat_is_a_list() {
     for to_bytes in [u16::to_be_bytes, u16::to_le_bytes] {
         let units = "\u{feff}".encode_utf16().chain(LONG.encode_utf16());
         let wide: Vec<u8> = units.flat_map(to_bytes).collect();
-        assert_eq!(times::parse(&wide, "wide.TextGrid").unwrap(), [0.1, 0.45]);
+        assert_eq!(
+            times::parse(&wide, "wide.TextGrid").unwrap().times_s,
+            [0.1, 0.45]
+        );
     }
 }
 
@@ -193,8 +196,10 @@ fn the_line_with_the_fault_is_named() {
         message.starts_with("a.txt, line 4: \"0.45 s\" is not a time"),
         "{message}"
     );
-    assert_eq!(blame("time_s,n\n0.1,1\n,2\n", "a.csv").0, Some(3));
-    assert_eq!(blame("n,time_s\n1,0.1\n2\n", "a.csv").0, Some(3));
+    assert_eq!(blame("time_s,n\n0.1,1\n,2\n0.3,3\n", "a.csv").0, Some(3));
+    assert_eq!(blame("n,time_s\n1,0.1\n2\n3,0.3", "a.csv").0, Some(3));
+    // A column may end before others do.
+    assert_eq!(parse("time_s,n\n0.1,1\n,2\n,3\n", "a.csv"), [0.1]);
     assert_eq!(blame("0.1\nnan\n", "a.txt").0, Some(2));
     assert_eq!(blame("0.1\ninf\n", "a.csv").0, Some(2));
 }
@@ -213,6 +218,9 @@ fn times_beyond_all_clocks_are_none() {
 fn times_must_increase() {
     let (line, message) = blame("0.1\n0.72\n0.45\n", "a.txt");
     assert_eq!(line, Some(3));
+    assert!(message.contains("0.45 after 0.72"), "{message}");
+    let (line, message) = blame("time_s\n0.1\n0.72\n0.45\n", "a.txt");
+    assert_eq!(line, Some(4));
     assert!(message.contains("0.45 is not later than 0.72"), "{message}");
     assert_eq!(blame("[0.1, 0.1]", "a.json").0, None);
 }
@@ -223,6 +231,201 @@ fn tables_that_leave_a_choice_are_refused() {
     assert!(message.contains("2 columns"), "{message}");
     let (_, message) = blame("n,when\n1,0.1\n", "a.csv");
     assert!(message.contains("found: n, when"), "{message}");
+}
+
+/// Impacts of a drop with flights of 0.6 s × 0.9ⁿ, written by `row` from its number and time.
+fn drop_of(count: i32, row: impl Fn(i32, f64) -> String) -> String {
+    (0..count)
+        .map(|n| row(n, 0.8 + 6.0 * (1.0 - 0.9_f64.powi(n))) + "\n")
+        .collect()
+}
+
+/// The times that [`drop_of`] writes with four digits.
+fn rounded(count: i32) -> Vec<f64> {
+    drop_of(count, |_, time_s| format!("{time_s:.4}"))
+        .lines()
+        .map(|line| line.parse().unwrap())
+        .collect()
+}
+
+#[test]
+fn headings_of_four_languages_name_the_column_of_times() {
+    let comma = |time_s: f64| format!("{time_s:.4}").replace('.', ",");
+    for text in [
+        "Bounce,Time of impact (s)\n".to_owned() + &drop_of(9, |n, t| format!("{n},{t:.4}")),
+        "Zeit t / s;Nr.\n".to_owned() + &drop_of(9, |n, t| format!("{};{n}", comma(t))),
+        "My drop\n\nTemps d’impact (ms)\tremarque\n".to_owned()
+            + &drop_of(9, |_, t| format!("{:.1}\tfort", t * 1e3)),
+        "n;Tiempo del bote\n;(s)\n".to_owned() + &drop_of(9, |n, t| format!("{n};{}", comma(t))),
+        "time_s\tspeed_m_s\n".to_owned() + &drop_of(9, |_, t| format!("{t:.4e}\t1.5")),
+        "sep=;\r\nTime (s)\r\n".to_owned() + &drop_of(9, |_, t| comma(t)),
+    ] {
+        for name in ["drop.csv", "drop.txt", "drop.tsv"] {
+            let read = parse(&text, name);
+            let nearly = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-4;
+            assert!(
+                read.len() == 9 && read.iter().zip(&rounded(9)).all(nearly),
+                "{name}: {text}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_text_in_latin_1_or_utf_16_is_read() {
+    let text = "Aufschläge;t / µs\n1;100,5\n2;450000\n";
+    let nearly = |list: times::TimeList| {
+        assert!(
+            (list.times_s[0] - 100.5e-6).abs() < 1e-12 && (list.times_s[1] - 0.45).abs() < 1e-12,
+            "{list:?}"
+        );
+    };
+    let latin: Vec<u8> = text.chars().map(|letter| letter as u8).collect();
+    nearly(times::parse(&latin, "a.csv").unwrap());
+    let wide: Vec<u8> = "\u{feff}"
+        .encode_utf16()
+        .chain(text.encode_utf16())
+        .flat_map(u16::to_le_bytes)
+        .collect();
+    nearly(times::parse(&wide, "a.csv").unwrap());
+    let binary = [0xe4, 0x00, 0x01, 0x31];
+    assert!(
+        times::parse(&binary, "a.csv")
+            .unwrap_err()
+            .to_string()
+            .contains("not text")
+    );
+}
+
+#[test]
+fn intervals_are_summed_to_times() {
+    let list = |text: &str| times::parse(text.as_bytes(), "a.txt").unwrap();
+    let expected = [0.0, 0.5, 0.9, 1.2];
+    for text in [
+        "0.5\n0.4\n0.3\n",
+        "Interval (s)\n0.5\n0.4\n0.3\n",
+        "Flugzeit in ms\tNr.\n500\t1\n400\t2\n300\t3\n",
+        "Interval 1 (s)\tInterval 2 (s)\tInterval 3 (s)\n0.5\t0.4\t0.3\n",
+        "0,5 0,4 0,3",
+        "[0.5, 0.4, 0.3]",
+    ] {
+        let read = list(text);
+        let nearly = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-12;
+        assert!(
+            read.times_s.len() == 4 && read.times_s.iter().zip(&expected).all(nearly),
+            "{text}: {read:?}"
+        );
+        assert!(read.origin.of_intervals, "{text}");
+    }
+    assert!(!list("0.3\n0.5\n0.6\n").origin.of_intervals);
+    let (line, message) = blame("interval_s\n0.5\n0\n", "a.txt");
+    assert_eq!(line, Some(3));
+    assert!(message.contains("0 is no interval"), "{message}");
+}
+
+#[test]
+fn numbers_side_by_side_are_a_list() {
+    for text in [
+        "0.1, 0.45 0.72",
+        "0,1 0,45; 0,72\n",
+        "0,1, 0,45, 0,72",
+        "0.1,0.45,0.72",
+    ] {
+        for name in ["a.txt", "a.csv"] {
+            assert_eq!(parse(text, name), [0.1, 0.45, 0.72], "{text}");
+        }
+    }
+}
+
+/// The layouts of the stopwatch and of the inelastic collision of phyphox.
+#[test]
+fn exports_of_phyphox_are_measured_by_a_threshold() {
+    let read = |text: &str| times::parse(text.as_bytes(), "All.csv").unwrap();
+    let all = read("\"Event time (s)\",\"Interval (s)\"\n8.0E-01,6.0E-01\n1.4E+00,5.4E-01\n");
+    assert_eq!(all.times_s, [0.8, 1.4, 1.94]);
+    let simple =
+        read("\"Start (s)\"\t\"Stop (s)\"\t\"Difference (s)\"\n8,0E-01\t1,4E+00\t6,0E-01\n");
+    assert_eq!(simple.times_s, [0.8, 1.4]);
+    let stops =
+        read("\"Start (s)\";\"Stop 1 (s)\";\"Stop 2 (s)\";\"Stop 3 (s)\"\n0.8;1.4;1.94;NaN\n");
+    assert_eq!(stops.times_s, [0.8, 1.4, 1.94]);
+    let collision = read(
+        "\"Bounce 0 (s)\",\"Height 0 (m)\",\"Bounce 1 (s)\",\"Height 1 (m)\",\"Energy 1\"\n0.8,0.44,1.4,0.36,0.81\n",
+    );
+    assert_eq!(collision.times_s, [0.8, 1.4]);
+    assert_eq!(
+        collision.origin.program.as_deref(),
+        Some("phyphox inelastic collision")
+    );
+    assert!(
+        [all, simple, stops, collision]
+            .iter()
+            .all(|list| list.origin.by_threshold && !list.origin.of_intervals)
+    );
+    assert!(
+        !read("Time (s),Interval (s)\n0.8,0.6\n1.4,0\n")
+            .origin
+            .by_threshold
+    );
+}
+
+/// An interval stands beside the time at which it begins, or at which it ends.
+#[test]
+fn the_interval_after_the_last_time_is_one_more_impact() {
+    let forward = "Time (s),Interval (s)\n0.8,0.6\n1.4,0.54\n1.94,0.486\n";
+    let read = parse(forward, "a.csv");
+    assert!(
+        read.len() == 4 && (read[3] - 2.426).abs() < 1e-9,
+        "{read:?}"
+    );
+    for text in [
+        "Time (s),Interval (s)\n0.8,0\n1.4,0.6\n1.94,0.54\n",
+        "Time (s),Interval (s)\n0.8,0.6\n1.4,0.54\n1.94,0\n",
+        "Time (s),Interval (s)\n0.8,0.6\n1.4,0.54\n1.94,\n",
+    ] {
+        assert_eq!(parse(text, "a.csv"), [0.8, 1.4, 1.94], "{text}");
+    }
+}
+
+#[test]
+fn what_is_no_list_of_one_drop_is_refused() {
+    for (text, reason) in [
+        (
+            "t,x,y\n0,0,0.1\n0.018,0,0.2\n0.036,0,0.1\n0.05,0,0.0\n",
+            "positions over time",
+        ),
+        (
+            "Start (s),Stop 1 (s)\n0.1,0.5\n2.1,2.6\n",
+            "several columns of times and 2 rows",
+        ),
+        (
+            "0.1\n0.3\n0.2\n",
+            "impact times, which increase, or intervals, which decrease",
+        ),
+    ] {
+        let (_, message) = blame(text, "a.csv");
+        assert!(message.contains(reason), "{message}");
+    }
+}
+
+/// The layer as it is saved, and what its menu exports as CSV.
+#[test]
+fn a_layer_of_sonic_visualiser_is_a_list() {
+    let layer = r#"<?xml version="1.0" encoding="UTF-8"?><!DOCTYPE sonic-visualiser><sv><data>
+        <model id="1" name="" sampleRate="44100" type="sparse" dimensions="1" resolution="1" dataset="0"/>
+        <dataset id="0" dimensions="1"><point frame="4410" label="1"/><point frame="22050" label="2"/></dataset>
+        </data><display><layer id="2" type="timeinstants" model="1"/></display></sv>"#;
+    assert_eq!(parse(layer, "impacts.svl"), [0.1, 0.5]);
+    assert_eq!(
+        parse("0.100000000,New Point\n0.500000000,loud\n", "impacts.csv"),
+        [0.1, 0.5]
+    );
+    let without_rate = layer.replace("sampleRate", "rate");
+    assert!(
+        blame(&without_rate, "a.svl")
+            .1
+            .contains("not a layer of Sonic Visualiser")
+    );
 }
 
 #[test]
@@ -247,7 +450,7 @@ fn the_extension_decides_between_list_and_sound() {
     fs::create_dir_all(&folder).unwrap();
     let path = folder.join("drop.TXT");
     fs::write(&path, "0.1\n0.4\n").unwrap();
-    assert!(matches!(Input::open(&path), Ok(Input::Times(times)) if times == [0.1, 0.4]));
+    assert!(matches!(Input::open(&path), Ok(Input::Times(list)) if list.times_s == [0.1, 0.4]));
     assert!(matches!(
         times::read(folder.join("no.txt")),
         Err(Error::NotFound { .. })

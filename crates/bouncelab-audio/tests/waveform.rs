@@ -1,6 +1,6 @@
 //! Sampled waveforms in text, as instruments and apps export them.
 
-use bouncelab_audio::{Error, Input, LayoutProblem, TimesProblem};
+use bouncelab_audio::{Error, Input, TimesProblem};
 
 const RATE_HZ: f64 = 44_100.0;
 
@@ -100,16 +100,8 @@ fn a_clock_of_few_digits_is_exact_to_a_row() {
 #[test]
 fn a_waveform_that_is_too_slow_or_has_a_hole_is_refused() {
     let slow = table("time,a", |t, a| format!("{},{a}", t * 441.0));
-    assert!(matches!(
-        refusal(&slow),
-        Error::UnsupportedLayout {
-            problem: LayoutProblem::TooSlow {
-                sample_rate_hz: 100,
-                ..
-            },
-            ..
-        }
-    ));
+    let refused = refusal(&slow).to_string();
+    assert!(refused.contains("2000 samples, 100 a second"), "{refused}");
     for hole in [700..701, 700..1_200] {
         let rows = (0..2_000).filter(|n| !hole.contains(n));
         let rows = rows.map(|n| format!("{},0.5\n", f64::from(n) / RATE_HZ));
@@ -125,16 +117,52 @@ fn a_waveform_that_is_too_slow_or_has_a_hole_is_refused() {
 #[test]
 fn lists_of_impacts_stay_lists() {
     let truth = "time_s,speed_m_s,lost\n0.5,2.4,false\n0.93,2.2,false\n1.31,2.0,true\n";
-    let steady = (0..999)
-        .map(|n| format!("{},1\n", f64::from(n) * 0.5))
-        .collect::<Vec<_>>()
-        .concat();
-    for text in [truth.to_owned(), format!("time,n\n{steady}")] {
+    let bouncing = |ratio: f64, count: i32| {
+        let rows =
+            (0..count).map(|n| format!("{:.4},{n}\n", (1.0 - ratio.powi(n)) / (1.0 - ratio)));
+        "time,n\n".to_owned() + &rows.collect::<String>()
+    };
+    // A steel ball, of which many flights nearly last as long as the one before.
+    for text in [
+        truth.to_owned(),
+        bouncing(0.98, 100),
+        bouncing(0.9, 5),
+        bouncing(0.5, 6),
+    ] {
         assert!(matches!(
             Input::from_bytes(text.as_bytes(), "drop.csv"),
             Ok(Input::Times(_))
         ));
     }
+}
+
+/// Whatever the number of its rows: a ball in a video, a sensor of distance, a short recording.
+#[test]
+fn times_at_equal_steps_are_samples() {
+    let steady = |rows: u32, step_s: f64| {
+        let rows = (0..rows).map(|n| format!("{:.5},{}\n", f64::from(n) * step_s, n % 7));
+        "time,a\n".to_owned() + &rows.collect::<String>()
+    };
+    for (rows, step_s, rate) in [
+        (4, 0.5, "4 samples, 2 a"),
+        (78, 1.0 / 30.0, "78 samples, 30 a"),
+        (999, 0.5, "999"),
+    ] {
+        let refused = refusal(&steady(rows, step_s)).to_string();
+        assert!(
+            refused.contains(rate) && refused.contains("list the times"),
+            "{refused}"
+        );
+    }
+    assert_eq!(read(&steady(480, 1.25e-4), "drop.csv").0, 8_000);
+    // The same as a number in each row, of which the first column is the number.
+    assert!(matches!(
+        Input::from_bytes(
+            &b"n,time_s\n1,0.5\n2,0.93\n3,1.31\n4,1.62\n"[..],
+            "drop.csv"
+        ),
+        Ok(Input::Times(_))
+    ));
 }
 
 #[test]

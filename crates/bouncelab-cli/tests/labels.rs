@@ -35,7 +35,7 @@ fn labels_of_audacity_and_praat_come_back() {
     for (format, name) in [("audacity", "labels.txt"), ("textgrid", "drop.TextGrid")] {
         let labels = printed(&folder, format);
         assert_eq!(
-            times::parse(labels.as_bytes(), name).unwrap(),
+            times::parse(labels.as_bytes(), name).unwrap().times_s,
             TIMES_S,
             "{format}"
         );
@@ -80,7 +80,9 @@ fn the_labels_are_those_that_audacity_describes() {
         .map(|(start_s, _)| start_s)
         .collect();
     assert_eq!(
-        times::parse(edited.as_bytes(), "labels.txt").unwrap(),
+        times::parse(edited.as_bytes(), "labels.txt")
+            .unwrap()
+            .times_s,
         starts
     );
 }
@@ -112,7 +114,11 @@ fn praat_reads_the_text_grid() {
     );
     assert_eq!(String::from_utf8_lossy(&run.stdout).trim(), "impacts");
     for saved in ["long.TextGrid", "short.TextGrid"] {
-        assert_eq!(times::read(place.join(saved)).unwrap(), TIMES_S, "{saved}");
+        assert_eq!(
+            times::read(place.join(saved)).unwrap().times_s,
+            TIMES_S,
+            "{saved}"
+        );
     }
 }
 
@@ -152,7 +158,9 @@ fn marked(folder: &TempDir) {
 
 /// The true times of the impacts are those of the frames at which the markers stand.
 fn assert_true(folder: &TempDir, rate_hz: u32, markers: &[u32]) {
-    let truth_s = times::read(folder.path().join("truth.csv")).unwrap();
+    let truth_s = times::read(folder.path().join("truth.csv"))
+        .unwrap()
+        .times_s;
     assert!(markers.len() > 5 && markers.len() <= truth_s.len());
     for (marker, truth_s) in markers.iter().zip(truth_s) {
         let time_s = f64::from(*marker) / f64::from(rate_hz);

@@ -101,10 +101,8 @@ impl RecordingDetector {
 /// If it is not a list of times.
 pub fn of_times(content: &[u8], name: &str) -> Result<Recording> {
     let options = Options::default().without_inference();
-    Ok(bouncelab::analyze_times(
-        &times::parse(content, name)?,
-        &options,
-    ))
+    let list = times::parse(content, name)?;
+    Ok(Plan::of_list(&list.times_s, list.origin, &options).run())
 }
 
 /// The onset nearest to a time in samples that begin at `start_s`, as an impact.

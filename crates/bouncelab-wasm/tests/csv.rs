@@ -1,6 +1,6 @@
 //! The table of impacts that the page saves.
 
-use bouncelab::analysis::Source;
+use bouncelab::analysis::{ListOrigin, Source};
 use bouncelab::settings::Settings;
 use bouncelab::{Options, analyze_times};
 use bouncelab_report::messages::Translator;
@@ -14,7 +14,7 @@ fn no_spreadsheet_runs_the_name_of_a_recording() {
     let result = analyze_times(&times_s, &Options::default().without_inference());
     let request = AnalysisRequest {
         name: "=HYPERLINK(\"x\")".to_owned(),
-        source: Source::Times,
+        source: Source::Times(ListOrigin::default()),
         strongest_band: None,
         diagnostics: Vec::new(),
         no_drop: None,

@@ -198,6 +198,12 @@ codes! {
     TooManyTimes = "too-many-times", Error, ["count", "most"];
     /// Impacts are so far apart that the times are probably in milliseconds.
     TimesInMilliseconds = "times-in-milliseconds", Error, [];
+    /// The intervals of a list of times do not get shorter, as the flights of a drop do.
+    FlightsDoNotFall = "flights-do-not-fall", Error, ["count", "first_s", "last_s"];
+    /// A threshold measured the listed times: it marks a faint impact later than a loud one.
+    TimesByThreshold = "times-by-threshold", Warning, [];
+    /// The listed times are sums of intervals.
+    TimesOfIntervals = "times-of-intervals", Info, [];
     /// No flight is left after impacts were excluded.
     NothingLeft = "nothing-left", Error, [];
     /// A far fainter ball was detected and left out.

@@ -2,7 +2,8 @@
 //! by tabs; below it, after a backslash, the frequencies that were selected with it, if any (Audacity manual,
 //! "Importing and Exporting Labels").
 
-use super::{Entry, to_number};
+use super::Entry;
+use super::table::number;
 
 /// The starts of the labels of a track; `None` if a line is not a label, such as a row of a table.
 pub(super) fn starts(text: &str) -> Option<Vec<Entry>> {
@@ -15,8 +16,8 @@ pub(super) fn starts(text: &str) -> Option<Vec<Entry>> {
 
 fn start(label: &str) -> Option<f64> {
     let mut cells = label.splitn(3, '\t');
-    let mut number = || to_number(cells.next()?.trim(), ',').filter(|time_s| time_s.is_finite());
-    let (start_s, end_s) = (number()?, number()?);
+    let mut next = || number(cells.next()?.trim(), ',');
+    let (start_s, end_s) = (next()?, next()?);
     // The text may be empty, but its tab is there.
     cells.next().filter(|_| start_s <= end_s).map(|_| start_s)
 }

@@ -5,8 +5,7 @@
 
 use bouncelab::Plain;
 
-use super::{Entry, List};
-use crate::error::Result;
+use super::{Entry, Result};
 use crate::problem::TimesProblem;
 
 /// The name of the tier with the impacts, if there are several.
@@ -15,38 +14,34 @@ const TIER: &str = "impacts";
 /// A tier: its name, and time and line of each point; `None` if it has intervals.
 type Tier = (String, Option<Vec<Entry>>);
 
-impl List<'_> {
-    /// The times of the points of a tier.
-    pub(super) fn points(&self, text: &str) -> Result<Vec<Entry>> {
-        let mut words = Words { text, line: 1 };
-        let Some(mut tiers) = tiers(&mut words) else {
-            return self.refuse(Some(words.line), TimesProblem::NotTextGrid);
-        };
-        let has_points = tiers.iter().any(|(_, points)| points.is_some());
-        if has_points {
-            tiers.retain(|(_, points)| points.is_some());
-        }
-        let index = match tiers.len() {
-            1 => Some(0),
-            _ => tiers.iter().position(|(name, _)| name == TIER),
-        };
-        if let Some(points) = index.and_then(|index| tiers[index].1.take()) {
-            return Ok(points);
-        }
-        let names: Vec<&str> = tiers.iter().map(|(name, _)| name.as_str()).collect();
-        let found = match names.as_slice() {
-            [] => "-".to_owned(),
-            _ => Plain::of(&names.join(", ")).into(),
-        };
-        self.refuse(
-            None,
-            if has_points {
-                TimesProblem::WhichPointTier { found }
-            } else {
-                TimesProblem::NoPointTier { found }
-            },
-        )
+/// The times of the points of a tier.
+pub(super) fn points(text: &str) -> Result<Vec<Entry>> {
+    let mut words = Words { text, line: 1 };
+    let Some(mut tiers) = tiers(&mut words) else {
+        return Err((Some(words.line), TimesProblem::NotTextGrid));
+    };
+    let has_points = tiers.iter().any(|(_, points)| points.is_some());
+    if has_points {
+        tiers.retain(|(_, points)| points.is_some());
     }
+    let index = match tiers.len() {
+        1 => Some(0),
+        _ => tiers.iter().position(|(name, _)| name == TIER),
+    };
+    if let Some(points) = index.and_then(|index| tiers[index].1.take()) {
+        return Ok(points);
+    }
+    let names: Vec<&str> = tiers.iter().map(|(name, _)| name.as_str()).collect();
+    let found = match names.as_slice() {
+        [] => "-".to_owned(),
+        _ => Plain::of(&names.join(", ")).into(),
+    };
+    let problem = if has_points {
+        TimesProblem::WhichPointTier { found }
+    } else {
+        TimesProblem::NoPointTier { found }
+    };
+    Err((None, problem))
 }
 
 /// The tiers; `None` if the text has another structure, or ends within them.
@@ -63,7 +58,7 @@ fn tiers(words: &mut Words<'_>) -> Option<Vec<Tier>> {
         words.extent()?;
         let items = words.count()?;
         if class == "TextTier" {
-            tiers.push((name, Some(points(words, items)?)));
+            tiers.push((name, Some(marks(words, items)?)));
         } else {
             tiers.push((name, None));
             for _ in 0..items {
@@ -75,7 +70,7 @@ fn tiers(words: &mut Words<'_>) -> Option<Vec<Tier>> {
     Some(tiers)
 }
 
-fn points(words: &mut Words<'_>, count: usize) -> Option<Vec<Entry>> {
+fn marks(words: &mut Words<'_>, count: usize) -> Option<Vec<Entry>> {
     let mut points = Vec::new();
     for _ in 0..count {
         let time_s = words.number()?;

@@ -123,7 +123,10 @@ fn indented(block: &str) -> String {
 fn headline(analysed: &Analysed) -> String {
     let name = ("name", analysed.name.as_str().into());
     match &analysed.result.source {
-        Source::Times => text_with("analyze-times", &[name]),
+        Source::Times(origin) => {
+            let origin = origin.description().unwrap_or_else(|| "none".to_owned());
+            text_with("analyze-times", &[name, ("origin", origin.into())])
+        }
         Source::Sound {
             format,
             sample_rate_hz,

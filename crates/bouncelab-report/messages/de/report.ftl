@@ -65,7 +65,10 @@ report-conditions = Bedingungen und Annahmen
 report-assumed = Das hat niemand angegeben, darum ist es angenommen:
 report-priors = Was die Schätzung vor den Daten wusste
 report-source = Quelle
-report-source-times = eine Liste von Aufprallzeiten
+report-source-times = { $origin ->
+    [none] eine Liste von Aufprallzeiten
+   *[other] eine Liste von Aufprallzeiten: { $origin }
+  }
 report-source-sound = { $format }, { $rate } kHz, { $duration } s
 report-samples = Abtastwerte
 report-microphone = Mikrofon

@@ -9,7 +9,10 @@ terminal-if-ball = e = { $restitution } und h0 = { $height } für { $ball ->
 analyze-balls-heading = Was die Zeiten zu jedem Ball sagen, verglichen mit dem angegebenen oder angenommenen:
 terminal-cannot-tell = { $what }: nicht zu sagen: { $reason }
 
-analyze-times = { $name }: Aufprallzeiten
+analyze-times = { $origin ->
+    [none] { $name }: Aufprallzeiten
+   *[other] { $name }: Aufprallzeiten, { $origin }
+  }
 analyze-sound = { $name }: { $format }, { $rate } kHz{ $channels ->
     [1] {""}
    *[other] , Kanal { $channel } von { $channels }

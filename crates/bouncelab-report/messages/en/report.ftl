@@ -67,7 +67,10 @@ report-conditions = Conditions and assumptions
 report-assumed = Not stated, and therefore assumed:
 report-priors = Priors of the inference
 report-source = Source
-report-source-times = a list of impact times
+report-source-times = { $origin ->
+    [none] a list of impact times
+   *[other] a list of impact times: { $origin }
+  }
 report-source-sound = { $format }, { $rate } kHz, { $duration } s
 report-samples = samples
 report-microphone = microphone

@@ -11,7 +11,10 @@ terminal-if-ball = e = { $restitution } and h0 = { $height } for { $ball ->
 analyze-balls-heading = What the times say of each ball, against the one that was stated or assumed:
 terminal-cannot-tell = { $what }: cannot tell: { $reason }
 
-analyze-times = { $name }: impact times
+analyze-times = { $origin ->
+    [none] { $name }: impact times
+   *[other] { $name }: impact times, { $origin }
+  }
 analyze-sound = { $name }: { $format }, { $rate } kHz{ $channels ->
     [1] {""}
    *[other] , channel { $channel } of { $channels }

@@ -65,7 +65,10 @@ report-conditions = Condiciones y supuestos
 report-assumed = No indicado, y por tanto supuesto:
 report-priors = Distribuciones a priori de la inferencia
 report-source = Fuente
-report-source-times = una lista de tiempos de impacto
+report-source-times = { $origin ->
+    [none] una lista de tiempos de impacto
+   *[other] una lista de tiempos de impacto: { $origin }
+  }
 report-source-sound = { $format }, { $rate } kHz, { $duration } s
 report-samples = muestras
 report-microphone = micrófono

@@ -9,7 +9,10 @@ terminal-if-ball = e = { $restitution } y h0 = { $height } para { $ball ->
 analyze-balls-heading = Lo que los tiempos dicen de cada pelota, frente a la indicada o supuesta:
 terminal-cannot-tell = { $what }: indeterminado: { $reason }
 
-analyze-times = { $name }: tiempos de impacto
+analyze-times = { $origin ->
+    [none] { $name }: tiempos de impacto
+   *[other] { $name }: tiempos de impacto, { $origin }
+  }
 analyze-sound = { $name }: { $format }, { $rate } kHz{ $channels ->
     [1] {""}
    *[other] , canal { $channel } de { $channels }

@@ -65,7 +65,10 @@ report-conditions = Conditions et hypothèses
 report-assumed = Non indiqué, et donc supposé :
 report-priors = Lois a priori de l’inférence
 report-source = Source
-report-source-times = une liste de temps d’impact
+report-source-times = { $origin ->
+    [none] une liste de temps d’impact
+   *[other] une liste de temps d’impact : { $origin }
+  }
 report-source-sound = { $format }, { $rate } kHz, { $duration } s
 report-samples = échantillons
 report-microphone = microphone

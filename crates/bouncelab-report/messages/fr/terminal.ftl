@@ -9,7 +9,10 @@ terminal-if-ball = e = { $restitution } et h0 = { $height } pour { $ball ->
 analyze-balls-heading = Ce que les temps disent de chaque balle, par rapport à celle indiquée ou supposée :
 terminal-cannot-tell = { $what } : indéterminé : { $reason }
 
-analyze-times = { $name } : temps d’impact
+analyze-times = { $origin ->
+    [none] { $name } : temps d’impact
+   *[other] { $name } : temps d’impact, { $origin }
+  }
 analyze-sound = { $name } : { $format }, { $rate } kHz{ $channels ->
     [1] {""}
    *[other] , voie { $channel } sur { $channels }

@@ -56,7 +56,11 @@ fn sentences(diagnostics: &[Diagnostic], translator: &Translator) -> Vec<String>
 fn source(origin: &Source, translator: &Translator) -> Vec<Fact> {
     let source = translator.text("report-source");
     match origin {
-        Source::Times => vec![(source, translator.text("report-source-times"))],
+        Source::Times(listed) => {
+            let origin = listed.description().unwrap_or_else(|| "none".to_owned());
+            let listed = translator.text_with("report-source-times", &[("origin", origin.into())]);
+            vec![(source, listed)]
+        }
         Source::Sound {
             format,
             sample_rate_hz,

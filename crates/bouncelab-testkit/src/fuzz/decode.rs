@@ -68,10 +68,16 @@ fn decode(mut source: SoundReader) {
 
 /// Reads a list of times in each of the formats.
 pub(super) fn read_times(bytes: &[u8]) {
-    for name in ["fuzz.txt", "fuzz.csv", "fuzz.json", "fuzz.TextGrid"] {
-        if let Ok(times) = times::parse(bytes, name) {
-            assert!(times.iter().all(|time| time.is_finite()));
-            assert!(times.windows(2).all(|pair| pair[0] < pair[1]));
+    for name in [
+        "fuzz.txt",
+        "fuzz.csv",
+        "fuzz.json",
+        "fuzz.TextGrid",
+        "fuzz.svl",
+    ] {
+        if let Ok(list) = times::parse(bytes, name) {
+            assert!(list.times_s.iter().all(|time_s| time_s.is_finite()));
+            assert!(list.times_s.windows(2).all(|pair| pair[0] < pair[1]));
         }
     }
 }

@@ -21,6 +21,7 @@
 mod balls;
 mod derived;
 mod gap;
+mod listed;
 mod pipeline;
 mod result;
 
@@ -45,6 +46,7 @@ pub use crate::detection::DetectionOptions;
 pub use balls::BallComparison;
 pub use derived::{DragCurve, HeightHistory, Truncation};
 pub use gap::{Gap, rests_at_s};
+pub use listed::ListOrigin;
 pub use pipeline::{DropCandidate, DropTask, Plan, analyze, analyze_channels, analyze_times};
 pub use result::{BounceEnergy, Drop, MeasuredFlight, Recording, Source, StrongestBand};
 

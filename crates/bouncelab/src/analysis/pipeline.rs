@@ -1,7 +1,9 @@
 //! The steps from samples, or times, to the result.
 
 use super::result::{Recording, Source, StrongestBand};
-use super::{Drop, Edits, Options, analyze_impacts, edit, gap, impacts_of_times};
+use super::{
+    Drop, Edits, ListOrigin, Options, analyze_impacts, edit, gap, impacts_of_times, listed,
+};
 use crate::Result;
 use crate::detection::{Detection, Detector, Envelope};
 use crate::diagnostic::{Code, Diagnostic};
@@ -78,13 +80,6 @@ pub fn analyze_times(times_s: &[f64], options: &Options) -> Recording {
     Plan::of_times(times_s, options).run()
 }
 
-/// Upper limit of a flight time, in seconds: 1.1 km high, or eight missed flights of 14 m.
-const MAX_FLIGHT_S: f64 = 30.0;
-
-/// Maximum number of impacts of a drop: the longest drops of steel balls have about a hundred, and an inference from more
-/// takes seconds.
-const MAX_IMPACTS: usize = 500;
-
 /// Maximum number of drops of a recording that are analysed; each takes a tenth of a second and less than a megabyte.
 const MAX_DROPS: usize = 1_000;
 
@@ -160,26 +155,20 @@ impl Plan {
 
     /// The plan for a list of impact times in seconds, in increasing order.
     pub fn of_times(times_s: &[f64], options: &Options) -> Self {
-        let is_far = |pair: &[f64]| pair[1] - pair[0] > MAX_FLIGHT_S;
-        let no_drop = if times_s.len() < 2 {
-            Some(Diagnostic::new(Code::TooFewTimes))
-        } else if times_s.len() > MAX_IMPACTS {
-            let too_many = Diagnostic::new(Code::TooManyTimes).with("count", times_s.len());
-            Some(too_many.with("most", MAX_IMPACTS))
-        } else if times_s.windows(2).any(is_far) {
-            Some(Diagnostic::new(Code::TimesInMilliseconds))
-        } else {
-            None
-        };
-        let candidates = match &no_drop {
-            None => vec![DropCandidate::of_times(times_s)],
-            Some(_) => Vec::new(),
-        };
+        Self::of_list(times_s, ListOrigin::default(), options)
+    }
+
+    /// The same for a list of known origin.
+    pub fn of_list(times_s: &[f64], origin: ListOrigin, options: &Options) -> Self {
+        let no_drop = listed::refusal(times_s);
+        let is_drop = no_drop.is_none();
+        let candidates = is_drop.then(|| DropCandidate::of_times(times_s));
         let recording = Recording {
             no_drop,
-            ..Recording::of(Source::Times)
+            diagnostics: origin.diagnostics().collect(),
+            ..Recording::of(Source::Times(origin))
         };
-        Self::new(recording, candidates, options)
+        Self::new(recording, candidates.into_iter().collect(), options)
     }
 
     /// The same for the sound of a file: with the name of its format, and with the diagnostics of the file before those of

@@ -1,7 +1,7 @@
 //! The result types of a recording and its drops, which are the JSON schema
 //! `bouncelab.analysis/3`.
 
-use super::{BallComparison, Options};
+use super::{BallComparison, ListOrigin, Options};
 #[cfg(feature = "serde")]
 use crate::Error;
 use crate::Result;
@@ -56,7 +56,7 @@ impl Recording {
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub enum Source {
     /// A list of times.
-    Times,
+    Times(ListOrigin),
     /// Sound.
     Sound {
         /// Format of the file, if it is one.

@@ -14,7 +14,7 @@ pub fn text_grid(recording: &Recording) -> String {
     let first_s = times().fold(0.0, f64::min);
     let end_s = match recording.source {
         Source::Sound { duration_s, .. } => duration_s,
-        Source::Times => first_s,
+        Source::Times(_) => first_s,
     };
     let end_s = times().fold(end_s, f64::max);
     let mut text = format!(
