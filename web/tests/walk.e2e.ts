@@ -129,7 +129,7 @@ test('a screen reader reads the result, and is told of what changes', async () =
     (await announced(page)).filter((words) => what.test(words)).length;
 
   await tryDemo(page);
-  await expect.poll(() => told(/^The ball kept [\d.]+.±.[\d.]+.% of its speed/)).toBe(1);
+  await expect.poll(() => told(/keeps [\d.]+.±.[\d.]+.% of its speed/)).toBe(1);
   expect(await told(/It fell from [\d.]+.±.[\d.]+.cm/)).toBe(1);
 
   await page.locator('#figure .uplot').first().waitFor();
@@ -138,7 +138,7 @@ test('a screen reader reads the result, and is told of what changes', async () =
   for (const said of ['region "Waveform"', 'group "Which ball?"', 'region "Known quantities"']) {
     expect(main).toContain(`- ${said}`);
   }
-  expect(await heard('region', 'Result')).toMatch(/The ball kept.*±.*It fell from.*±/s);
+  expect(await heard('region', 'Result')).toMatch(/keeps.*±.*It fell from.*±/s);
   expect(await heard('region', 'Figures')).toMatch(
     /tablist "Figures".*tab "Restitution" \[selected\]/s,
   );

@@ -19,7 +19,7 @@ use bouncelab::analysis::Options;
 use bouncelab::ball::Ball;
 use bouncelab::drag::DragLaw;
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::inference::{Measured, Posterior, Priors, infer};
+use bouncelab::inference::{Measured, Priors, infer};
 use bouncelab::restitution::LawKind;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -213,11 +213,8 @@ fn two_exponentials(rng: &mut ChaCha8Rng) -> f64 {
 }
 
 /// Shares of the draws below the truth: of e, drop height, drag coefficient, and time until rest, if it comes to rest;
-/// and whether the sampling converged.
-struct Ranks {
-    of: [Option<f64>; 4],
-    converged: bool,
-}
+/// none if the inference is refused.
+struct Ranks([Option<f64>; 4]);
 
 fn ranks(scenario: Scenario, seed: u64) -> Option<Ranks> {
     let drop = drawn(scenario, &mut ChaCha8Rng::seed_from_u64(seed))?;
@@ -229,28 +226,27 @@ fn ranks(scenario: Scenario, seed: u64) -> Option<Ranks> {
         });
     }
     let settings = Options::default();
-    let found: Posterior = infer(
+    let found = infer(
         &drop.impacts,
         &settings.ball,
         &environment(),
         settings.contact_time_s,
         &known,
         &seeded(seed),
-    )
-    .ok()?;
+    );
+    let Ok(found) = found else {
+        return Some(Ranks([None; 4]));
+    };
     let below = |draws: &[f64], truth: f64| {
         let below = draws.iter().filter(|draw| **draw < truth).count();
         (!draws.is_empty()).then(|| below as f64 / draws.len() as f64)
     };
-    Some(Ranks {
-        of: [
-            below(&found.draws.restitution, drop.restitution),
-            below(&found.draws.drop_height_m, drop.height_m),
-            below(&found.draws.drag_coefficient, drop.drag),
-            below(&found.draws.total_time_s, drop.until_rest_s),
-        ],
-        converged: found.sampling.converged,
-    })
+    Some(Ranks([
+        below(&found.draws.restitution, drop.restitution),
+        below(&found.draws.drop_height_m, drop.height_m),
+        below(&found.draws.drag_coefficient, drop.drag),
+        below(&found.draws.total_time_s, drop.until_rest_s),
+    ]))
 }
 
 /// The chi-square statistic of 20 bins exceeds this once in a hundred times by chance.
@@ -259,10 +255,10 @@ const BINS: usize = 20;
 
 /// Prints the rows of a scenario and gives its histograms, a line of CSV each.
 fn report(scenario: Scenario, all: &[Ranks]) -> Vec<String> {
-    let failed = all.iter().filter(|ranks| !ranks.converged).count();
+    let refused = all.iter().filter(|ranks| ranks.0[0].is_none()).count();
     let mut histograms = Vec::new();
     for (place, quantity) in ["e", "h0", "C_D", "time until rest"].iter().enumerate() {
-        let shares: Vec<f64> = all.iter().filter_map(|ranks| ranks.of[place]).collect();
+        let shares: Vec<f64> = all.iter().filter_map(|ranks| ranks.0[place]).collect();
         let count = shares.len() as f64;
         let covered = |tail: f64| {
             let inside = shares
@@ -286,7 +282,7 @@ fn report(scenario: Scenario, all: &[Ranks]) -> Vec<String> {
             "no"
         };
         println!(
-            "| {} | {} | {quantity} | {:.1} | {:.1} | {chi_square:.1} | {uniform} | {failed} |",
+            "| {} | {} | {quantity} | {:.1} | {:.1} | {chi_square:.1} | {uniform} | {refused} |",
             scenario.name(),
             shares.len(),
             covered(0.158_655),
@@ -312,7 +308,7 @@ pub fn run(arguments: &[String]) -> Result {
     }
     let drops = arguments.first().and_then(|argument| argument.parse().ok());
     println!(
-        "| scenario | drops | quantity | % in 68 | % in 95 | chi-square of ranks | uniform (p > 0.01) | not converged |"
+        "| scenario | drops | quantity | % in 68 | % in 95 | chi-square of ranks | uniform (p > 0.01) | refused |"
     );
     println!("|---|---|---|---|---|---|---|---|");
     let bins: Vec<String> = (1..=BINS).map(|bin| bin.to_string()).collect();

@@ -41,7 +41,7 @@ fn seeded(seed: u64) -> InferenceOptions {
 }
 
 /// The results of the first seeds that have one, in equal parts on all cores.
-fn of_seeds<T: Send>(count: usize, result: impl Fn(u64) -> Option<T> + Sync) -> Vec<T> {
+pub fn of_seeds<T: Send>(count: usize, result: impl Fn(u64) -> Option<T> + Sync) -> Vec<T> {
     let cores = rayon::current_num_threads();
     let parts = (0..cores).into_par_iter().map(|core| {
         let seeds = (core as u64..).step_by(cores);

@@ -128,8 +128,6 @@ impl Held {
 pub struct Fared {
     /// Of e, e of the first impact, drop height, and time until rest; `None` where nothing is stated, or asked.
     pub of: [Option<Held>; QUANTITIES.len()],
-    /// Whether the sampling converged.
-    pub converged: bool,
     /// Whether the impacts have their numbers.
     pub numbered: bool,
     /// The codes of the warnings.
@@ -159,10 +157,6 @@ impl Fared {
                 .posterior
                 .as_ref()
                 .map_or_else(|_| Default::default(), |it| holds(&case.truth, it)),
-            converged: drop
-                .posterior
-                .as_ref()
-                .is_ok_and(|it| it.sampling.converged),
             numbered: is_numbered(drop, &case.truth),
             warnings: said.filter(is_warning).map(|it| it.code.name()).collect(),
         }
@@ -218,15 +212,13 @@ fn report(name: &str, all: &[Fared]) {
         let is_silent = |fared: &&Fared| {
             fared.warnings.is_empty() && fared.of[place].is_some_and(|held| !held.in95)
         };
-        let unconverged = |fared: &&Fared| fared.of[place].is_some() && !fared.converged;
         println!(
-            "| {name} | {} | {quantity} | {:.1} | {:.1} | {mean_z:.2} | {:.2} | {} | {} | {} | {:.1} | {:.1} |",
+            "| {name} | {} | {quantity} | {:.1} | {:.1} | {mean_z:.2} | {:.2} | {} | {} | {:.1} | {:.1} |",
             all.len(),
             holds(|held| held.in68),
             holds(|held| held.in95),
             100.0 * sds.get(sds.len() / 2).copied().unwrap_or(f64::NAN),
             all.len() - held.len(),
-            all.iter().filter(unconverged).count(),
             all.iter().filter(|fared| !fared.numbered).count(),
             share(
                 all.iter()
@@ -272,9 +264,9 @@ pub(crate) fn run(arguments: &[String]) {
     }
     println!(
         "| scenario | drops | quantity | % in 68 | % in 95 | mean deviation, sd | median sd, % | no answer | \
-         not converged | misnumbered | % warned | % outside 95 without a warning |"
+         misnumbered | % warned | % outside 95 without a warning |"
     );
-    println!("|---|---|---|---|---|---|---|---|---|---|---|---|");
+    println!("|---|---|---|---|---|---|---|---|---|---|---|");
     for row in rows {
         let all = fared(row, &laws, drops.unwrap_or(300), max_impacts);
         report(row.name(), &all);

@@ -208,6 +208,10 @@ impl Numbers {
     fn posterior(&mut self, posterior: &Posterior) {
         self.add("at speed", posterior.at_speed_m_s);
         self.estimate("restitution", posterior.restitution);
+        self.add("first speed", posterior.first_speed_m_s);
+        self.estimate("energy kept", posterior.energy_kept);
+        self.add("round speed", posterior.round_speed_m_s);
+        self.estimate("round speed restitution", posterior.round_speed_restitution);
         self.estimate("restitution slope", posterior.restitution_slope);
         self.estimate("drop height", posterior.drop_height_m);
         self.estimate("drag coefficient", posterior.drag_coefficient);
@@ -275,7 +279,6 @@ impl Numbers {
         self.sum("draws total time", &posterior.draws.total_time_s);
         self.add("effective draws", posterior.sampling.effective_draws);
         self.add("pareto shape", posterior.sampling.pareto_shape);
-        self.count("converged", usize::from(posterior.sampling.converged));
         for (place, point) in posterior.band.iter().enumerate() {
             self.add(format!("band {place} speed"), point.speed_m_s);
             self.estimate(&format!("band {place} restitution"), point.restitution);

@@ -40,7 +40,7 @@ for table in ["drops", "impacts"]:
     assert set(json.loads(about[b"bouncelab.about"])) == set(by_polars.columns)
     print(f"{table}: {rows} rows, {len(units)} columns with a unit, the same by all")
 by_polars = polars.read_parquet(folder / "drops.parquet")
-assert by_polars.schema["sampling_converged"] == polars.Boolean
+assert by_polars.schema["height_contradicts"] == polars.Boolean
 joined = duckdb.sql(
     f"select count(*) from read_parquet('{folder}/drops.parquet')"
     f" join read_parquet('{folder}/impacts.parquet') using (recording, drop)"

@@ -210,12 +210,14 @@ impl Recording {
     /// The answer in a few sentences, of a drop or of all.
     #[pyo3(signature = (language, drop = None))]
     fn summary(&self, language: &str, drop: Option<usize>) -> Result<Vec<String>> {
-        let words = translator(language)?;
+        let (words, setup) = (translator(language)?, &self.analyzer.setup);
         let drops = match drop {
             Some(drop) => std::slice::from_ref(self.at(drop)),
             None => &self.result().drops,
         };
-        let blocks = drops.iter().flat_map(|drop| report::in_words(drop, &words));
+        let blocks = drops
+            .iter()
+            .flat_map(|drop| report::in_words(drop, setup, &words));
         let sentences = blocks.filter_map(|block| match block {
             Block::Lead(text) | Block::Text(text) | Block::Note(text) => Some(text),
             _ => None,
@@ -226,11 +228,11 @@ impl Recording {
             .collect())
     }
 
-    /// The answer of a drop in one line.
-    fn headline(&self, drop: usize, language: &str) -> Result<String> {
+    /// The answer of a drop in one line; empty if there is none.
+    fn in_one_line(&self, drop: usize, language: &str) -> Result<String> {
         let options = &self.analyzer.setup.options;
         let translator = translator(language)?;
-        Ok(quantities::headline(self.at(drop), options, &translator))
+        Ok(quantities::in_one_line(self.at(drop), options, &translator))
     }
 
     /// Names of the figures of a drop, or of the recording as a whole.

@@ -288,8 +288,10 @@ impl Translator {
                 Value::List(numbers.iter().map(|&number| number as usize).collect())
             }
             &Argument::Number(value) => match name {
-                "contact_time_s" | "reach_s" | "sd_s" => quantity(value, 3, Unit::Time),
-                "probability" | "pareto_shape" => Value::fixed(value, 2),
+                "contact_time_s" | "duration_s" | "interval_s" | "reach_s" | "sd_s" => {
+                    quantity(value, 3, Unit::Time)
+                }
+                "probability" | "pareto_shape" | "least" | "greatest" => Value::fixed(value, 2),
                 "slow" | "fast" => Value::fixed(value, 3),
                 "factor" => Value::fixed(100.0 * (value - 1.0), 0),
                 "pressure_pa" => plain(value / 100.0),

@@ -57,6 +57,20 @@ impl Unit {
         }
     }
 
+    /// What the name of a column ends with, and the SI symbol of its unit.
+    pub(crate) const fn in_columns(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Number | Self::Percent => ("", ""),
+            Self::Length => ("_m", "m"),
+            Self::Time => ("_s", "s"),
+            Self::Speed => ("_m_s", "m/s"),
+            Self::Mass => ("_kg", "kg"),
+            Self::Energy => ("_j", "J"),
+            Self::Acceleration => ("_m_s2", "m/s2"),
+            Self::Density => ("_kg_m3", "kg/m3"),
+        }
+    }
+
     /// The largest unit that is not larger than the quantity.
     pub(crate) fn step_for(self, size: f64) -> (f64, &'static str) {
         let steps = self.steps();

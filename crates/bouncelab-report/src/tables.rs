@@ -4,14 +4,14 @@ use bouncelab::Estimate;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop};
 use bouncelab::drag::DragLaw;
 use bouncelab::inference::{Posterior, Share, Unknown};
-use bouncelab::restitution::LawKind;
+use bouncelab::restitution::{ImpactRestitution, LawKind};
 
 use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
 use crate::table::{Align, Table};
 
-/// The impacts of a drop with the flight after each and its restitution; with `details`, how certain each
-/// is. The last column marks uncertain impacts.
+/// The impacts of a drop with the flight after each and its restitution, unless that is in doubt; with `details`, how
+/// certain each is. The last column marks uncertain impacts.
 pub fn impacts(drop: &Drop, details: bool, translator: &Translator) -> Table {
     let mut columns = vec![
         ("column-impact", Align::Right),
@@ -43,6 +43,7 @@ fn impact_row(drop: &Drop, index: usize, details: bool, translator: &Translator)
     let impact = &drop.impacts[index];
     let flight = drop.flight(impact.number);
     let corrected = drop.impact_restitution(impact.number);
+    let certain = corrected.filter(|corrected| !is_in_doubt(drop, corrected));
     let modelled = drop.modelled_flight(impact.number);
     let apex_m = modelled
         .map(|m| m.flight.apex_m)
@@ -56,8 +57,8 @@ fn impact_row(drop: &Drop, index: usize, details: bool, translator: &Translator)
         fixed(flight.map(|f| f.flight_time_s), 4),
         fixed(apex_m.map(|apex_m| apex_m * 100.0), 2),
         fixed(corrected.map(|c| c.impact_speed_m_s), 3),
-        fixed(corrected.map(|c| c.flight_time_ratio), 4),
-        fixed(corrected.map(|c| c.restitution.value), 4),
+        fixed(certain.map(|c| c.flight_time_ratio), 4),
+        fixed(certain.map(|c| c.restitution.value), 4),
     ];
     if details {
         row.extend([
@@ -77,6 +78,26 @@ fn impact_row(drop: &Drop, index: usize, details: bool, translator: &Translator)
         .to_owned(),
     );
     row
+}
+
+/// Whether the restitution of an impact would mislead: an impact that it follows from is uncertain or an outlier, or its
+/// standard error is large.
+fn is_in_doubt(drop: &Drop, corrected: &ImpactRestitution) -> bool {
+    /// Balls differ by this much, and impacts of one drop by far less.
+    const MAX_SD: f64 = 0.05;
+    let number = corrected.number;
+    let mut impacts = drop.impacts.iter();
+    let is_uncertain = impacts.any(|impact| {
+        let is_one_of_three = impact.number.abs_diff(number) <= 1;
+        is_one_of_three && impact.probability < CONFIDENT_PROBABILITY
+    });
+    let posterior = drop.posterior.as_ref().ok();
+    is_uncertain
+        || posterior.is_some_and(|it| it.is_outlier(number))
+        || corrected
+            .restitution
+            .known_sd()
+            .is_some_and(|sd| sd > MAX_SD)
 }
 
 /// How far the flight after an impact lies from the log-linear fit, in per cent of its time.

@@ -65,7 +65,7 @@ const IN_A_SESSION: &[Definition<fn(&DropRow<'_>) -> Cell>] = define_columns! { 
     ball_diameter_m: Number ["m"] "diameter of the ball" = Some(row.options().ball.diameter_m());
     air_density_kg_m3: Number ["kg/m3"] "density of the air"
         = Some(row.options().environment.air.density_kg_m3());
-    gravity_m_s2: Number ["m/s2"] "gravity" = Some(row.options().environment.gravity_m_s2);
+    settings_gravity_m_s2: Number ["m/s2"] "gravity, as noted or assumed" = Some(row.options().environment.gravity_m_s2);
     noted_height_m: Number ["m"] "drop height as noted" = row.metadata().height_m;
     noted_temperature_k: Number ["K"] "temperature as noted" = row.metadata().temperature_k;
     content_sha256: Text [""] "hash of the recording" = Some(row.key.content.to_string());

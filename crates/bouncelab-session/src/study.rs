@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
+use bouncelab::Estimate;
 use bouncelab::diagnostic::Code;
 use bouncelab::groups::RestitutionCurve;
 use bouncelab::inference::Measured;
@@ -247,11 +248,14 @@ impl CollectedDrop {
         let odd = (!record.diagnostics.is_empty()).then(|| {
             let sentences = record.diagnostics.iter();
             let why = translator.in_one_line(sentences.map(|odd| translator.diagnostic(odd)));
-            (why, is_doubtful(&record))
+            (why, record.height_contradicts())
         });
         let left_out = left_out(&record, drop.by_hand, translator);
         let (studied, left_out) = match (left_out, record.posterior) {
-            (None, Some(posterior)) => (Some(Studied::of(posterior)), None),
+            (None, Some(posterior)) => {
+                let scatter = record.quantities.get("restitution_scatter");
+                (Some(Studied::of(posterior, scatter)), None)
+            }
             // If no inference was requested, this is reported once and not for each drop.
             (Some(_), None) if !asks_inference && !drop.by_hand => (None, None),
             (why, _) => (None, Some(why.unwrap_or_default())),
@@ -272,14 +276,15 @@ struct Studied {
 }
 
 impl Studied {
-    fn of(posterior: PosteriorRecord) -> Self {
-        let scatter = posterior.restitution_scatter;
+    fn of(posterior: PosteriorRecord, scatter: Option<&Estimate>) -> Self {
+        let measured = |scatter: &Estimate| {
+            let sd = scatter.known_sd()?;
+            let value = scatter.value;
+            Some(Measured { value, sd })
+        };
         Self {
             curve: posterior.curve,
-            scatter: scatter.known_sd().map(|sd| Measured {
-                value: scatter.value,
-                sd,
-            }),
+            scatter: scatter.and_then(measured),
         }
     }
 
@@ -318,12 +323,6 @@ fn noted_otherwise(
         ("of-other", quoted(of_other.get(field)).into()),
     ];
     Some(translator.text_with("session-noted-otherwise", &arguments))
-}
-
-/// Whether the estimate of a drop is doubtful: the inference did not converge, or contradicts the noted height.
-fn is_doubtful(drop: &DropRecord) -> bool {
-    let converged = |posterior: &PosteriorRecord| posterior.converged;
-    !drop.posterior.as_ref().is_none_or(converged) || drop.height_contradicts()
 }
 
 /// Why a drop is not compared; `None` if it is.

@@ -32,7 +32,7 @@ fn memory_and_file_say_the_same() {
     let drop = &of_file.drops[0];
     // The truth of the demonstration.
     assert_eq!(drop.impacts.len(), 61);
-    let restitution = drop.posterior.as_ref().unwrap().restitution;
+    let restitution = drop.quantities["restitution"];
     assert!((restitution.value - 0.9529).abs() < 5e-4, "{restitution:?}");
 }
 

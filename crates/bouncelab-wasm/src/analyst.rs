@@ -13,7 +13,7 @@ use bouncelab_report::data_table::Formulas;
 use bouncelab_report::document::Document;
 use bouncelab_report::figure::{self, FigureInput, Mark};
 use bouncelab_report::messages::{Translator, capital};
-use bouncelab_report::quantities::{self, QuantityList};
+use bouncelab_report::quantities::{self, Headline, QuantityList};
 use bouncelab_report::report::{self, Provenance};
 use bouncelab_report::tables;
 
@@ -108,11 +108,17 @@ impl Analysis<'_> {
             ),
             ball: self.translator.ball(&self.setup.ball),
             questions,
+            headlines: self.headlines(),
             quantities: self.quantities(),
             unknowns: self.unknowns(),
             figures: self.figures(),
             comparable: self.result.drops.iter().map(comparable).collect(),
         }
+    }
+
+    fn headlines(&self) -> Vec<Headline> {
+        let of_drop = |drop| Headline::of(drop, &self.setup, self.translator);
+        self.result.drops.iter().map(of_drop).collect()
     }
 
     fn quantities(&self) -> Vec<Vec<QuantityList>> {

@@ -17,7 +17,7 @@ use bouncelab::settings::Settings;
 use bouncelab::{Diagnostic, Impact};
 use bouncelab_report::document::Document;
 use bouncelab_report::figure::DropSummary;
-use bouncelab_report::quantities::QuantityList;
+use bouncelab_report::quantities::{Headline, QuantityList};
 use bouncelab_report::report::{Block, Section};
 
 /// The choices that a page can offer.
@@ -159,6 +159,8 @@ pub struct Analysed<'a> {
     pub ball: String,
     /// Settings that look like mistakes of units.
     pub questions: Vec<Diagnostic>,
+    /// What to read first of each drop, in the language of the request.
+    pub headlines: Vec<Headline>,
     /// The reported quantities of each drop, in the language of the request.
     pub quantities: Vec<Vec<QuantityList>>,
     /// Names of the unknowns whose priors the data may contract, by [`PriorContraction::unknown`].

@@ -258,8 +258,8 @@ codes! {
     FlightGrows = "flight-grows", Warning, ["flight"];
 
     // Of the posterior.
-    /// The sampling did not converge: the intervals cannot be trusted.
-    SamplingNotConverged = "sampling-not-converged", Warning, ["pareto_shape", "greatest"];
+    /// Late impacts follow closer than the ball touches the surface, and were left out.
+    ImpactsTooClose = "impacts-too-close", Warning, ["count", "start_s", "contact_time_s"];
     /// The number of impacts is so small that the priors dominate.
     FewImpacts = "few-impacts", Warning, ["count"];
     /// A restitution law takes more impacts to be distinguished from a constant.
@@ -274,14 +274,6 @@ codes! {
     ReleaseContradictsTimes = "release-contradicts-times", Warning, ["stated_s", "detected_s"];
     /// Impacts before the first one detected were missed.
     FirstImpactsMissed = "first-impacts-missed", Warning, ["probability"];
-    /// The drop height is that of the fall before the first impact detected.
-    HeightOfFirstDetected = "height-of-first-detected", Info, [];
-    /// The data hardly constrain drag: the drag coefficient is that of the prior.
-    DragFromPrior = "drag-from-prior", Info, [];
-    /// Drag and falling restitution cannot be distinguished.
-    DragOrSlope = "drag-or-slope", Info, [];
-    /// No restitution law is clearly the best: the result is an average.
-    NoLawWins = "no-law-wins", Info, [];
     /// Another ball explains the times much better than the one that was stated or assumed.
     OtherBallFitsBetter = "other-ball-fits-better", Warning, ["balls", "odds"];
     /// Some of the possible restitution laws lose so little at slow impacts that the ball would not come to rest.
@@ -290,14 +282,20 @@ codes! {
     InferenceOff = "inference-off", Info, [];
     /// An inference takes two impacts.
     InferenceNeedsImpacts = "inference-needs-impacts", Error, ["count"];
+    /// The impacts do not determine the restitution: it is that of its prior.
+    RestitutionUndetermined = "restitution-undetermined", Error, ["count", "least", "greatest"];
+    /// Two impacts, not the last ones, are closer to each other than the ball touches the surface.
+    ContactOverlaps = "contact-overlaps", Error, ["first", "second", "time_s", "interval_s", "contact_time_s"];
     /// No physical model explains the times.
     NoModelFits = "no-model-fits", Error, [];
+    /// The sampling did not converge, so that its intervals could not be trusted.
+    SamplingNotConverged = "sampling-not-converged", Error, ["pareto_shape?"];
     /// No draw of the posterior explains the times.
     SamplingFailed = "sampling-failed", Error, [];
     /// Too many impacts in a row were missed.
     MissedInARow = "missed-in-a-row", Error, ["missed", "after"];
     /// No ball with so much drag flies so long.
-    FlightTooLong = "flight-too-long", Error, [];
+    FlightTooLong = "flight-too-long", Error, ["after", "duration_s"];
     /// The ball would gain speed in most impacts.
     GainsSpeed = "gains-speed", Error, [];
     /// The variances of groups cannot be separated.

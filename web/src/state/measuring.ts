@@ -34,7 +34,7 @@ export async function measureMarks(
 export function summaryOf(
   result: Drop,
 ): Pick<KeptDrop, 'restitution' | 'dropHeightM' | 'restitutions'> {
-  const best = result.posterior ?? result.log_linear_fit;
+  const best = result.posterior;
   return {
     restitution: best && known(best.restitution),
     dropHeightM: best && known(best.drop_height_m),

@@ -26,13 +26,11 @@ const told = vi.hoisted(() => {
   return told;
 });
 
-import type { Drop } from '../lab/index.ts';
 import { Option, speech, tellAnswer, vibrate, vibration } from './telling.ts';
 import { type Answer, analysed, refining, type Workspace, workspace } from './workspace.ts';
 
 const ANSWER =
-  'en-GB: The ball kept 93.00 plus or minus 0.15 % of its speed at each bounce. ' +
-  'It fell from 30.5 plus or minus 0.3 cm.';
+  'en-GB: The ball keeps 93.00 plus or minus 0.15 % of its speed. It fell from 30.5 plus or minus 0.3 cm.';
 
 /** Puts a recording into the workspace, whose inference runs. */
 function put(name: string): void {
@@ -44,12 +42,13 @@ function put(name: string): void {
 }
 
 function answer(): void {
-  const restitution = { value: 0.93, sd: 0.0015 };
-  const height = { value: 0.305, sd: 0.003 };
-  const posterior = { restitution, drop_height_m: height, priors: [] };
+  const sentences = [
+    ['The ball keeps ', '93.00\u00a0±\u00a00.15\u00a0%', ' of its speed.'],
+    ['It fell from ', '30.5\u00a0±\u00a00.3\u00a0cm', '.'],
+  ];
   batch(() => {
     analysed.value = {
-      document: { drops: [{ posterior } as Drop] },
+      headlines: [{ sentences }],
       places: [0],
     } as unknown as Answer;
     refining.value = false;

@@ -3,7 +3,7 @@ import { effect, signal } from '@preact/signals';
 import { recall, remember } from '../address/memory.ts';
 import { spokenAnswer } from '../text/answer.ts';
 import { region } from '../text/language.ts';
-import { drop, refining, workspace } from './workspace.ts';
+import { headline, refining, workspace } from './workspace.ts';
 
 const VIBRATION_MS = 300;
 
@@ -47,9 +47,9 @@ export function tellAnswer(): void {
     const isGone = workspace.value !== asked;
     if (!isGone && refining.value) return;
     this.dispose();
-    const result = drop.peek();
-    if (isGone || !result) return;
-    const utterance = new SpeechSynthesisUtterance(spokenAnswer(result));
+    const answer = headline.peek();
+    if (isGone || !answer) return;
+    const utterance = new SpeechSynthesisUtterance(spokenAnswer(answer));
     utterance.lang = region.peek();
     speechSynthesis.speak(utterance);
   });

@@ -63,6 +63,8 @@ export const cursorS = signal<number | null>(null);
 /** The chosen drop, as analysed; and its place among those analysed. */
 export const place = computed(() => analysed.value?.places[chosenDrop.value] ?? -1);
 export const drop = computed<Drop | undefined>(() => analysed.value?.document.drops[place.value]);
+/** What to read of it first. */
+export const headline = computed(() => analysed.value?.headlines[place.value]);
 /** Its reported quantities, method by method. */
 export const quantities = computed<readonly QuantityList[]>(
   () => analysed.value?.quantities[place.value] ?? [],

@@ -27,18 +27,6 @@ test('a message has its plural form and its numbers without groups', async () =>
   ]);
 });
 
-test('values can stand out of their message in every language', async () => {
-  expect(parts('page-lab-kept', { share: '90 %' })).toEqual([
-    'The ball kept ',
-    '90 %',
-    ' of its speed at each bounce.',
-  ]);
-  for (const code of languages) {
-    await speak(code);
-    expect(parts('page-lab-fell', { height: '30 cm' })[1], code).toBe('30 cm');
-  }
-});
-
 test.each([
   [['fr-CH', 'en'], 'fr'],
   [['es-419'], 'es'],

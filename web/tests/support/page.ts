@@ -34,24 +34,24 @@ export interface Answer {
   readonly sd: number;
 }
 
-/** The numbers in the first two sentences: restitution in per cent, drop height in centimetres. */
+/** The numbers of the answer: restitution at its first speed in per cent, drop height in centimetres. */
 export async function answers(page: Page): Promise<{ kept: Answer; fell: Answer }> {
   await settled(page);
-  const read = async (place: string): Promise<Answer> => {
+  const read = async (place: string, unit: string): Promise<Answer> => {
     const words = ((await page.locator(place).first().textContent()) ?? '').replace(/\u2212/g, '-');
-    const found = /(\d[\d.]*)\s±\s(\d[\d.]*)/.exec(words);
+    const found = new RegExp(`(\\d[\\d.]*)\\s±\\s(\\d[\\d.]*)\\s${unit}`).exec(words);
     if (!found) throw new Error(`no number with its uncertainty in "${words}"`);
     return { value: Number(found[1]), sd: Number(found[2]) };
   };
   return {
-    kept: await read('.summary .first strong'),
-    fell: await read('.summary .second strong'),
+    kept: await read('.summary .first', '%'),
+    fell: await read('.summary .second', 'cm'),
   };
 }
 
 /** Waits until the inference is done. */
 export async function settled(page: Page): Promise<void> {
-  await page.locator('.summary[aria-busy="false"] .first').waitFor();
+  await page.locator('.summary[aria-busy="false"] :is(.first, .second)').first().waitFor();
 }
 
 /** Analyses the demo. */

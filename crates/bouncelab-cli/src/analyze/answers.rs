@@ -3,43 +3,38 @@
 use bouncelab::analysis::Drop;
 use bouncelab::settings::Setup;
 use bouncelab_report::messages::Value;
-use bouncelab_report::quantities::{self, Level, Method, QuantityList, Reported};
+use bouncelab_report::quantities::{self, Headline, Level, Method, QuantityList, Reported};
 use bouncelab_report::{Unit, tables};
 use unicode_width::UnicodeWidthStr;
 
 use crate::language::{cannot_tell, text, text_with, translated, translator};
 
-/// The results by the log-linear fit, corrected for drag where there is no inference, and by the inference; with `details`, the
-/// quantities of every level.
+/// The answer in sentences, and the quantities by each method, the best first; with `details`, those of every level.
 pub(super) fn lines(drop: &Drop, physics: &Setup, details: bool) -> Vec<String> {
+    let headline = Headline::of(drop, physics, translator());
+    // Spaces that no line may end at would be strange characters to programs that read text.
+    let sentences = headline.sentences.iter();
+    let mut lines: Vec<String> = sentences
+        .map(|it| it.to_string().replace('\u{a0}', " "))
+        .collect();
     let lists = quantities::of_drop(drop, &physics.options, translator());
     let listed = |method: Method, heading: String| listed(&lists, method, heading, details);
     let ball = translator().ball(&physics.ball);
-    let fitted = match &drop.log_linear_fit {
-        Ok(_) => listed(Method::LogLinearFit, text("analyze-line-heading")),
-        Err(reason) => vec![cannot_tell("analyze-line", translated(reason))],
-    };
+    let of_ball = [("ball", ball.as_str().into())];
+    let heading = text_with("analyze-inference-heading", &of_ball);
+    lines.extend(listed(Method::Inference, heading));
     let law = tables::drag_law(physics.options.environment.drag, translator());
     let heading = [("ball", ball.as_str().into()), ("law", law.into())];
     let heading = text_with("analyze-corrected-heading", &heading);
-    let corrected = match &drop.per_impact {
-        Ok(found) if found.restitution.is_some() => listed(Method::PerImpact, heading),
-        _ if drop.posterior.is_ok() => Vec::new(),
-        Ok(found) => {
-            let count = [("count", found.impacts.len().into())];
-            vec![text_with("analyze-corrected-too-few", &count)]
-        }
+    lines.extend(match &drop.per_impact {
+        Ok(_) => listed(Method::PerImpact, heading),
         Err(reason) => vec![cannot_tell("analyze-corrected", translated(reason))],
-    };
-    let inferred = match &drop.posterior {
-        Ok(_) => {
-            let heading = text_with("analyze-inference-heading", &[("ball", ball.into())]);
-            listed(Method::Inference, heading)
-        }
-        Err(_) if physics.options.inference.is_none() => Vec::new(),
-        Err(reason) => vec![cannot_tell("analyze-inference", translated(reason))],
-    };
-    [fitted, corrected, inferred].concat()
+    });
+    lines.extend(match &drop.log_linear_fit {
+        Ok(_) => listed(Method::LogLinearFit, text("analyze-line-heading")),
+        Err(reason) => vec![cannot_tell("analyze-line", translated(reason))],
+    });
+    lines
 }
 
 /// A heading and the quantities of a method below it, their values in one column; nothing if all are for

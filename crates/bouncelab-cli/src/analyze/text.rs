@@ -7,6 +7,7 @@ use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Source, StrongestBand};
 use bouncelab::diagnostic::Code;
 use bouncelab::settings::Setup;
 use bouncelab_report::messages::Value;
+use bouncelab_report::quantities;
 use bouncelab_report::report::ended;
 use bouncelab_report::tables;
 use bouncelab_report::{Quantity, Unit};
@@ -26,6 +27,16 @@ pub(crate) fn report(analysed: &Analysed, physics: &Setup, details: bool) -> Str
         line(&mut page, "");
         line(&mut page, &drop_headline(analysed, index));
         line(&mut page, "");
+        if details {
+            let impacts = tables::impacts(drop, true, translator());
+            line(&mut page, &indented(&impacts.to_string()));
+            for block in answers::details(drop) {
+                line(&mut page, "");
+                line(&mut page, &indented(&block));
+            }
+            line(&mut page, "");
+        }
+        // The answer last: what is above it may scroll away.
         for finding in answers::lines(drop, physics, details) {
             line(&mut page, &format!("  {finding}"));
         }
@@ -37,17 +48,7 @@ pub(crate) fn report(analysed: &Analysed, physics: &Setup, details: bool) -> Str
                 &indented(&format!("{}\n{balls}", text("analyze-balls-heading"))),
             );
         }
-        line(&mut page, "");
-        let impacts = tables::impacts(drop, details, translator());
-        line(&mut page, &indented(&impacts.to_string()));
-        if details {
-            for block in answers::details(drop) {
-                line(&mut page, "");
-                line(&mut page, &indented(&block));
-            }
-            line(&mut page, "");
-        }
-        for diagnostic in &drop.diagnostics {
+        for diagnostic in quantities::notes(drop) {
             line(&mut page, &note(translator().diagnostic(diagnostic)));
         }
     }

@@ -528,9 +528,7 @@ class Sampling:
     effective_draws : float
         How many independent draws the weighted ones are worth.
     pareto_shape : float
-        Shape of the tail of the weights; good below 0.7.
-    converged : bool
-        Whether the result can be trusted.
+        Shape of the tail of the weights: below 0.7, above which there is no posterior.
 
     Examples
     --------
@@ -542,7 +540,6 @@ class Sampling:
 
     effective_draws: float
     pareto_shape: float
-    converged: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -578,8 +575,16 @@ class Posterior:
     Attributes
     ----------
     at_speed_m_s : float
-        Impact speed in m/s at which ``restitution`` is stated.
+        Impact speed in m/s at which ``restitution`` is stated: that of the first impact detected, unless asked otherwise.
     restitution : Estimate
+        Coefficient of restitution there.
+    first_speed_m_s : float
+        Speed of the first impact detected, in m/s.
+    energy_kept : Estimate
+        Share of its kinetic energy that the ball kept there.
+    round_speed_m_s : float or None
+        Of 1, 2, 5, 10, ... m/s, that between the slowest and the fastest impact which is nearest to 1 m/s.
+    round_speed_restitution : Estimate or None
         Coefficient of restitution there.
     restitution_slope : Estimate
         Its change with the natural logarithm of the impact speed, there.
@@ -631,12 +636,16 @@ class Posterior:
     >>> posterior = bl.analyze_times(times_s, draws=500).drops[0].posterior
     >>> 0.9 < posterior.restitution.value < 1.0
     True
-    >>> posterior.sampling.converged
+    >>> posterior.energy_kept.value < posterior.restitution.value
     True
     """
 
     at_speed_m_s: float
     restitution: Estimate
+    first_speed_m_s: float
+    energy_kept: Estimate
+    round_speed_m_s: float | None
+    round_speed_restitution: Estimate | None
     restitution_slope: Estimate
     drop_height_m: Estimate
     drag_coefficient: Estimate | None

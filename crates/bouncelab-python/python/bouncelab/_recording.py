@@ -261,7 +261,7 @@ class Drop:
 
     @property
     def restitution(self) -> Estimate:
-        """Restitution by the inference, at ``posterior.at_speed_m_s``."""
+        """Restitution by the inference, at the speed of the first impact detected (``posterior.at_speed_m_s``)."""
         return self.posterior.restitution
 
     @property
@@ -334,7 +334,7 @@ class Drop:
         return isinstance(other, Drop) and self._document == other._document
 
     def __repr__(self) -> str:
-        answer = self._recording._core.headline(self._place, "en")
+        answer = self._recording._core.in_one_line(self._place, "en")
         parts = [_counted(len(self.impacts), "impact"), answer]
         return f"<bouncelab.Drop: {', '.join(filter(None, parts))}>"
 

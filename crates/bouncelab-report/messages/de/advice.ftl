@@ -1,7 +1,7 @@
 terminal-advice-impact-gains-energy = Lass ihn von Hand weg (--exclude ZEIT).
-terminal-advice-height-of-first-detected = Gib sie mit --height an.
 terminal-advice-scatter-exceeds-prior = Die Streuung dieser Fläche nennt --known scatter=2%.
-terminal-advice-drag-or-slope = Gib sie mit --height an.
+terminal-advice-contact-overlaps = Die Optionen sind --exclude, --ball und --contact-time.
+terminal-advice-restitution-undetermined = Gib sie mit --height an.
 terminal-advice-ball-floats = Die Option ist --no-buoyancy.
 terminal-advice-rule-needs-reference = Nenne sie nach --reference.
 terminal-advice-rule-needs-height = Gib sie mit --height an.
@@ -13,4 +13,5 @@ terminal-advice-too-many-channels = Die Option ist --channel.
 advice-allow-implausible = Berichtige es, oder bestehe darauf mit --allow-implausible
 
 page-advice-impact-gains-energy = Entferne ihn, wenn er im Schallbild falsch aussieht.
+page-advice-contact-overlaps = Entferne ihn im Schallbild oder in der Liste der Aufpralle.
 page-advice-restitution-rises = Wähle ihn in der Reihe „Welcher Ball?“.

@@ -66,7 +66,13 @@ diagnostic-impacts-doubtful = { $count ->
   } eher etwas anderes (Wahrscheinlichkeit unter 1/2).
 diagnostic-flight-grows = Flug { $flight } ist länger als der vor ihm, was auf ruhendem Untergrund nicht geht.
 
-diagnostic-sampling-not-converged = Die Stichprobe ist nicht konvergiert (Pareto-Form { $pareto_shape }; sie sollte unter { $greatest } liegen), darum ist den Bereichen nicht zu trauen; vielleicht gehören die Aufpralle nicht zu einem Versuch.
+diagnostic-impacts-too-close = { $count ->
+    [one] Der Aufprall bei { $start_s } s folgt
+   *[other] { $count } Aufpralle ab { $start_s } s folgen
+  } enger aufeinander, als der Ball den Untergrund berührt ({ $contact_time_s }), und { $count ->
+    [one] ist
+   *[other] sind
+  } weggelassen. Sind lange Flüge darunter, ist es wohl ein anderer Ball, oder sein Kontakt ist kürzer.
 diagnostic-few-impacts = { $count ->
     [2] 2 Aufpralle zeigen nur einen Flug und keine Stoßzahl
     [3] 3 Aufpralle zeigen eine einzige Stoßzahl und nicht, wie sie sich mit dem Tempo ändert
@@ -84,18 +90,17 @@ diagnostic-scatter-exceeds-prior = Die Stoßzahl streut von Aufprall zu Aufprall
 diagnostic-height-contradicts-times = Die angegebene Höhe von { $measured_m } widerspricht den Aufprallen, aus denen ein Fall aus { $detected_m } folgt; sie wird nicht verwendet. Beides stimmte bei einer Fallbeschleunigung von { $gravity_m_s2 }. Falsche Höhe, falscher Ball oder falsche Abtastrate?
 diagnostic-release-contradicts-times = Das angegebene Loslassen, { $stated_s } s vor dem ersten Aufprall, widerspricht den Aufprallen, aus denen ein Fall von { $detected_s } s folgt; es wird nicht verwendet.
 diagnostic-first-impacts-missed = Mit der Wahrscheinlichkeit { $probability } fehlen Aufpralle vor dem ersten erkannten.
-diagnostic-height-of-first-detected = Die Fallhöhe ist die vor dem ersten erkannten Aufprall; mit einer gemessenen Höhe fielen verpasste Aufpralle auf.
-diagnostic-drag-from-prior = Diese Flugzeiten sagen fast nichts über den Luftwiderstand: Der Beiwert ist, was man von Kugeln weiß.
-diagnostic-drag-or-slope = Luftwiderstand und fallende Stoßzahl lassen sich an dieser Aufnahme nicht unterscheiden; eine gemessene Fallhöhe oder ein dichterer Ball könnte es.
-diagnostic-no-law-wins = Kein Gesetz der Stoßzahl gewinnt; die Antwort ist das Mittel über alle, die wahr sein können.
 diagnostic-other-ball-fits-better = Diese Zeiten passen besser zu einem anderen Ball, mindestens { $odds } zu 1: { $balls }.
 diagnostic-never-rests = Nach einigen der möglichen Gesetze der Stoßzahl geht bei langsamen Aufprallen so wenig verloren, dass der Ball in keiner vernünftigen Zeit zur Ruhe käme.
 diagnostic-inference-off = Eine Schätzung war nicht verlangt.
 diagnostic-inference-needs-impacts = Eine Schätzung braucht einen Flug, und ein Flug braucht zwei Aufpralle.
-diagnostic-no-model-fits = Kein physikalisches Modell erklärt diese Zeiten; sind sie von einem Versuch, in Sekunden, und ist es der richtige Ball?
-diagnostic-sampling-failed = Die Stichprobe ist gescheitert: Keine Ziehung erklärt die Zeiten; sind sie von einem Versuch?
-diagnostic-missed-in-a-row = { $missed } Aufpralle in Folge fehlen nach Aufprall { $after }.
-diagnostic-flight-too-long = Der Luftwiderstand macht einen so langen Flug dieses Balls unmöglich; prüfe Masse, Durchmesser und die Einheit der Zeiten.
+diagnostic-restitution-undetermined = Das sind zu wenige Aufpralle: Mit { $count } davon kann die Stoßzahl zwischen { $least } und { $greatest } liegen. Nimm mindestens drei Aufpralle auf, oder miss die Fallhöhe und gib sie an.
+diagnostic-contact-overlaps = Die Aufpralle { $first } und { $second }, bei { $time_s } s, liegen { $interval_s } auseinander, und der Ball berührt den Untergrund { $contact_time_s } lang. Einer davon ist wohl ein Echo oder ein anderer Laut: Lass ihn weg. Sonst berichtige den Ball oder seine Kontaktzeit.
+diagnostic-no-model-fits = Kein physikalisches Modell erklärt diese Zeiten. Prüfe, ob sie in Sekunden und von einem Versuch sind, lass andere Laute weg, und prüfe den Ball.
+diagnostic-sampling-not-converged = Die Zeiten bestimmen diesen Versuch nicht: Die Berechnung der Unsicherheiten ist nicht konvergiert. Lass Aufpralle weg, die nicht zu diesem Versuch gehören, prüfe den Ball, oder nimm mehr Aufpralle auf.
+diagnostic-sampling-failed = Diese Zeiten lassen sich nicht als die eines Versuchs erklären. Lass andere Laute weg, oder werte jeden Versuch für sich aus.
+diagnostic-missed-in-a-row = { $missed } Aufpralle in Folge fehlen nach Aufprall { $after }. Ergänze sie, oder lass die Aufpralle nach der Lücke weg.
+diagnostic-flight-too-long = Der Flug nach Aufprall { $after } dauert { $duration_s }, was der Luftwiderstand bei diesem Ball unmöglich macht. Ergänze einen dort verpassten Aufprall, oder prüfe Masse, Durchmesser und die Einheit der Zeiten.
 diagnostic-gains-speed = Der Ball gewänne bei jedem Aufprall an Tempo, was ruhender Untergrund nicht gibt; stehen die Zeiten der Reihe nach, in Sekunden, und sind sie von einem Versuch?
 diagnostic-variances-confounded = Die Varianzen dieser Gruppen lassen sich nicht trennen.
 diagnostic-height-out-of-reach = Die Höhe der Regel liegt weit über denen, aus denen der Ball nach seinen Flügen fiel.

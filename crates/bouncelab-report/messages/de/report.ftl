@@ -12,12 +12,6 @@ report-no-reason = Nichts darin springt.
 report-drops-found = { $drops } Versuche mit { $impacts } Aufprallen wurden gefunden.
 report-first-drops = Die ersten { $count } Versuche haben unten eigene Abschnitte; Ergebnisse für Programme haben alle.
 
-report-kept = Der Ball behielt bei jedem Aufprall { $share } seines Tempos.
-report-kept-and-fell = Der Ball behielt bei jedem Aufprall { $share } seines Tempos und fiel aus { $height } Höhe.
-report-kept-and-fell-first = Der Ball behielt bei jedem Aufprall { $share } seines Tempos und fiel vor dem ersten erkannten Aufprall aus { $height } Höhe.
-report-kept-and-stated = Der Ball behielt bei jedem Aufprall { $share } seines Tempos; die angegebene Fallhöhe ist { $height }.
-report-kept-without-air = Gäbe es keine Luft, hätte der Ball bei jedem Aufprall { $share } seines Tempos behalten und wäre aus { $height } Höhe gefallen.
-report-kept-unknown = Wie viel der Ball behielt, lässt sich nicht sagen: { $reason }
 report-impacts = { $count ->
     [one] Ein Aufprall wurde erkannt, bei { $first } s
    *[other] { $count } Aufpralle wurden erkannt, von { $first } s bis { $last } s
@@ -26,12 +20,6 @@ report-impacts = { $count ->
     [one] einer davon unsicher.
    *[other] { $uncertain } davon unsicher.
   }
-report-restitution = Die Stoßzahl, Tempo nach dem Aufprall durch Tempo davor, ist { $value } bei { $speed }, die Luft herausgerechnet.
-report-line-says = Die Ausgleichsgerade durch die Logarithmen der Flugzeiten, ohne Luft, ergibt { $share } ({ $difference ->
-    [less] { $points } Prozentpunkte weniger
-    [more] { $points } Prozentpunkte mehr
-   *[none] dasselbe
-  }) und { $height }.
 
 report-answers = Schätzung mit Luft, und Ausgleichsgerade ohne
 report-quantities = Weitere Größen
@@ -97,7 +85,7 @@ report-repeat-version = Version { $version } von bouncelab gibt aus derselben Da
 report-repeat-files = Die gelesenen Dateien mit ihrer SHA-256-Summe (sha256sum zeigt sie):
 
 report-method = Verfahren
-report-method-short = Die Aufpralle werden im Ton gefunden; die Zeit zwischen zweien ist die eines Flugs. Die Schätzung berechnet aus allen Flugzeiten Stoßzahl, Fallhöhe und Luftwiderstand, mit dem Fall durch die Luft, mit Stoßzahlen, die von Aufprall zu Aufprall streuen, und mit Fehlern der Zeiten. Von jeder Größe steht der Median da, ± ihre Standardabweichung; ein Bereich von 95 % enthält die Wahrheit mit dieser Wahrscheinlichkeit, wenn die Annahmen stimmen. Die Ausgleichsgerade durch die Logarithmen der Flugzeiten weiß nichts von der Luft. Formeln und Literatur stehen unter „Einzelheiten“.
+report-method-short = Die Aufpralle werden im Ton gefunden; die Zeit zwischen zweien ist die eines Flugs. Die Schätzung berechnet aus allen Flugzeiten Stoßzahl, Fallhöhe und Luftwiderstand, mit dem Fall durch die Luft, mit Stoßzahlen, die von Aufprall zu Aufprall streuen, und mit Fehlern der Zeiten. Von jeder Größe steht der Median da, ± ihre Standardabweichung; ein Bereich von 95 % enthält die Wahrheit mit dieser Wahrscheinlichkeit, wenn die Annahmen stimmen. Die Ausgleichsgerade durch die Logarithmen der Flugzeiten weiß nichts von der Luft. Die Stoßzahl steht beim Tempo des ersten erkannten Aufpralls und bei einem runden Tempo da, denn die der meisten Bälle ändert sich mit dem Tempo. Ohne angegebene Fallhöhe ist die Fallhöhe die vor dem ersten erkannten Aufprall; ob vor ihm Aufpralle fehlen, zeigen die Zeiten nicht. Ein Versuch misst den Luftwiderstand kaum: Der Beiwert ist vor allem, was man von Kugeln weiß, und die Bereiche enthalten seine Unsicherheit ebenso wie die, dass sich die Stoßzahl auf unbekannte Weise mit dem Tempo ändert. Formeln und Literatur stehen unter „Einzelheiten“.
 
 report-formulas = Das Verfahren mit seinen Formeln
 report-method-flight = Nur die Aufpralle machen einen Laut. Die Zeit T zwischen zwei Aufprallen ist die eines Flugs und ergibt seine Höhe h fast unabhängig von der Luft:

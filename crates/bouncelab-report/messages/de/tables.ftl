@@ -51,7 +51,7 @@ quantity-contact-time = Kontaktzeit
 quantity-height-to-reach = Sprung { $bounce } erreicht { $apex } aus
 
 quantity-interval = 95 %: { $interval }
-quantity-at-speed = bei { $speed }
+quantity-at-speed = { $quantity } bei { $speed }
 quantity-of-impacts = Median von { $count } Aufprallen bei { $slowest } bis { $fastest } m/s
 quantity-of-flights = vor dem ersten erkannten Aufprall; { $count ->
     [one] 1 Flug

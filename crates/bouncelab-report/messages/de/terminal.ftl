@@ -32,8 +32,6 @@ analyze-line = Ausgleichsgerade
 analyze-line-heading = Ausgleichsgerade durch die Logarithmen der Flugzeiten, ohne Luft:
 analyze-corrected = Luftwiderstand herausgerechnet
 analyze-corrected-heading = Luftwiderstand herausgerechnet ({ $ball }, { $law }):
-analyze-corrected-too-few = Luftwiderstand herausgerechnet: kein Mittelwert: { $count } der Aufpralle liegen zwischen zwei Flügen, und es braucht 3.
-analyze-inference = Schätzung
 analyze-inference-heading = Schätzung, mit Luft ({ $ball }):
 
 analyze-details-models = Modelle, vor den Daten gleich wahrscheinlich:

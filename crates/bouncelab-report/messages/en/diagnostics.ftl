@@ -69,7 +69,13 @@ diagnostic-impacts-doubtful = { $count ->
   } more likely something else (probability below 1/2).
 diagnostic-flight-grows = Flight { $flight } is longer than the flight before it, which is impossible on a surface at rest.
 
-diagnostic-sampling-not-converged = The sampling did not converge (Pareto shape { $pareto_shape }; it should be below { $greatest }), so the intervals are unreliable; the impacts may not be of one drop.
+diagnostic-impacts-too-close = { $count ->
+    [one] The impact at { $start_s } s follows
+   *[other] { $count } impacts from { $start_s } s on follow
+  } closer than the ball touches the surface ({ $contact_time_s }), and { $count ->
+    [one] is
+   *[other] are
+  } left out. With long flights among them, the ball is probably another one, or its contact is shorter.
 diagnostic-few-impacts = { $count ->
     [2] 2 impacts show a single flight and no restitution of the ball
     [3] 3 impacts show a single restitution of the ball, and not how it changes with speed
@@ -87,18 +93,17 @@ diagnostic-scatter-exceeds-prior = Restitution scatters by about { $relative_sd 
 diagnostic-height-contradicts-times = The stated height of { $measured_m } contradicts the impacts, which indicate a fall from { $detected_m }; it is not used. Both would agree with a gravity of { $gravity_m_s2 }. The height, the ball or the sample rate may be wrong.
 diagnostic-release-contradicts-times = The stated release, { $stated_s } s before the first impact, contradicts the impacts, which indicate a fall of { $detected_s } s; it is not used.
 diagnostic-first-impacts-missed = Impacts before the first one detected were missed, with probability { $probability }.
-diagnostic-height-of-first-detected = The drop height is that of the fall before the first impact detected; a measured height would show whether impacts were missed.
-diagnostic-drag-from-prior = These flight times hardly constrain drag: the drag coefficient is that of the prior for spheres.
-diagnostic-drag-or-slope = This recording cannot separate drag from restitution that falls with speed; a measured drop height or a denser ball would help.
-diagnostic-no-law-wins = No restitution law dominates; the result is averaged over the possible laws.
 diagnostic-other-ball-fits-better = These times fit another ball better, at least { $odds } to 1: { $balls }.
 diagnostic-never-rests = Some of the possible restitution laws lose so little at slow impacts that the ball would not come to rest in a reasonable time.
 diagnostic-inference-off = No inference was requested.
 diagnostic-inference-needs-impacts = An inference needs at least one flight, that is two impacts.
-diagnostic-no-model-fits = No physical model fits these times; are they of one drop, in seconds, and is the ball right?
-diagnostic-sampling-failed = The posterior could not be sampled: no draw fits the times; are they of one drop?
-diagnostic-missed-in-a-row = { $missed } impacts in a row were missed after impact { $after }.
-diagnostic-flight-too-long = Air drag makes so long a flight impossible for this ball; check mass, diameter and the unit of the times.
+diagnostic-restitution-undetermined = There are too few impacts: with { $count } of them the restitution may be anything from { $least } to { $greatest }. Record at least three impacts, or measure and state the drop height.
+diagnostic-contact-overlaps = Impacts { $first } and { $second }, at { $time_s } s, are { $interval_s } apart, and the ball touches the surface for { $contact_time_s }. One of them is probably an echo or another sound: exclude it. Otherwise correct the ball or its contact time.
+diagnostic-no-model-fits = No physical model fits these times. Check that they are in seconds and of one drop, exclude other sounds, and check the ball.
+diagnostic-sampling-not-converged = The times do not determine the drop: the computation of the uncertainties did not converge. Exclude impacts that are not of this drop, check the ball, or record more impacts.
+diagnostic-sampling-failed = The times cannot be explained as those of one drop. Exclude other sounds, or analyse each drop by itself.
+diagnostic-missed-in-a-row = { $missed } impacts in a row were missed after impact { $after }. Include them, or exclude the impacts after the gap.
+diagnostic-flight-too-long = The flight after impact { $after } lasts { $duration_s }, which air drag makes impossible for this ball. Include an impact that was missed there, or check mass, diameter and the unit of the times.
 diagnostic-gains-speed = The ball would gain speed at most impacts, which is impossible on a surface at rest; are the times in order, in seconds, and of one drop?
 diagnostic-variances-confounded = The variances of these groups cannot be separated.
 diagnostic-height-out-of-reach = The height of the rule is far greater than the detected drop heights.

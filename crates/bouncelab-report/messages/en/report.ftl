@@ -14,12 +14,6 @@ report-no-reason = nothing in it bounces.
 report-drops-found = { $drops } drops with { $impacts } impacts were found.
 report-first-drops = The first { $count } drops have sections of their own below; results for programs have all.
 
-report-kept = The ball kept { $share } of its speed at each bounce.
-report-kept-and-fell = The ball kept { $share } of its speed at each bounce and fell from { $height }.
-report-kept-and-fell-first = The ball kept { $share } of its speed at each bounce and fell from { $height } before the first impact detected.
-report-kept-and-stated = The ball kept { $share } of its speed at each bounce; the stated drop height is { $height }.
-report-kept-without-air = If there were no air, the ball kept { $share } of its speed at each bounce and fell from { $height }.
-report-kept-unknown = How much the ball kept cannot be stated: { $reason }
 report-impacts = { $count ->
     [one] One impact was detected, at { $first } s
    *[other] { $count } impacts were detected from { $first } s to { $last } s
@@ -28,12 +22,6 @@ report-impacts = { $count ->
     [one] one of them uncertain.
    *[other] { $uncertain } of them uncertain.
   }
-report-restitution = The restitution, speed after an impact over speed before it, is { $value } at { $speed }, with the air accounted for.
-report-line-says = The log-linear fit of the flight times, which neglects the air, gives { $share } ({ $difference ->
-    [less] { $points } percentage points less
-    [more] { $points } percentage points more
-   *[none] the same
-  }) and { $height }.
 
 report-answers = Inference with air, and log-linear fit without
 report-quantities = Other quantities
@@ -99,7 +87,7 @@ report-repeat-version = Version { $version } of bouncelab gives the same numbers
 report-repeat-files = The files that were read, by their SHA-256 (sha256sum shows it):
 
 report-method = Method
-report-method-short = The impacts are detected in the sound; the time between two of them is that of a flight. The inference computes the posterior of restitution, drop height and drag from all flight times, with the fall through the air, restitution that scatters between impacts, and errors of the times. Each quantity is stated as the median ± standard deviation of its posterior; a 95 % credible interval contains the true value with that probability if the assumptions hold. The log-linear fit is a straight line through the logarithms of the flight times and neglects the air. The formulas and the references are under Details.
+report-method-short = The impacts are detected in the sound; the time between two of them is that of a flight. The inference computes the posterior of restitution, drop height and drag from all flight times, with the fall through the air, restitution that scatters between impacts, and errors of the times. Each quantity is stated as the median ± standard deviation of its posterior; a 95 % credible interval contains the true value with that probability if the assumptions hold. The log-linear fit is a straight line through the logarithms of the flight times and neglects the air. The restitution is stated at the speed of the first impact detected and at a round speed, because that of most balls changes with the speed. Without a stated drop height, the drop height is that of the fall before the first impact detected; whether impacts were missed before it, the times do not show. The drag of one drop is hardly measured: the drag coefficient is mostly that known of spheres, and the intervals allow for its uncertainty, as for restitution that changes with speed in an unknown way. The formulas and the references are under Details.
 
 report-formulas = The method with its formulas
 report-method-flight = Only the impacts make a sound. The time T between two impacts is that of a flight, and gives its height h nearly independently of the air:

@@ -51,7 +51,7 @@ quantity-contact-time = contact time
 quantity-height-to-reach = bounce { $bounce } reaches { $apex } from
 
 quantity-interval = 95 %: { $interval }
-quantity-at-speed = at { $speed }
+quantity-at-speed = { $quantity } at { $speed }
 quantity-of-impacts = median of { $count } impacts at { $slowest } to { $fastest } m/s
 quantity-of-flights = before the first impact detected; { $count ->
     [one] 1 flight

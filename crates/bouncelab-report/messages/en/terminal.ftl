@@ -34,8 +34,6 @@ analyze-line = Log-linear fit
 analyze-line-heading = Log-linear fit of the flight times, neglecting the air:
 analyze-corrected = Corrected for drag
 analyze-corrected-heading = Corrected for drag ({ $ball }, { $law }):
-analyze-corrected-too-few = Corrected for drag: no mean: { $count } of the impacts lie between two flights, and 3 are needed.
-analyze-inference = Inference
 analyze-inference-heading = Inference, with air ({ $ball }):
 
 analyze-details-models = Models, with equal prior probability:

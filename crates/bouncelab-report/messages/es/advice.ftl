@@ -1,7 +1,7 @@
 terminal-advice-impact-gains-energy = Exclúyalo con --exclude TIME.
-terminal-advice-height-of-first-detected = Indíquela con --height.
 terminal-advice-scatter-exceeds-prior = Indique la dispersión de esta superficie con --known scatter=2%.
-terminal-advice-drag-or-slope = Indíquela con --height.
+terminal-advice-contact-overlaps = Las opciones son --exclude, --ball y --contact-time.
+terminal-advice-restitution-undetermined = Indíquela con --height.
 terminal-advice-ball-floats = La opción es --no-buoyancy.
 terminal-advice-rule-needs-reference = Délas después de --reference.
 terminal-advice-rule-needs-height = Indíquela con --height.
@@ -13,4 +13,5 @@ terminal-advice-too-many-channels = La opción es --channel.
 advice-allow-implausible = Corrija el valor, o acéptelo con --allow-implausible
 
 page-advice-impact-gains-energy = Elimínelo si parece falso en la forma de onda.
+page-advice-contact-overlaps = Elimínelo en la forma de onda o en la lista de impactos.
 page-advice-restitution-rises = Elíjala en la fila «¿Qué pelota?».

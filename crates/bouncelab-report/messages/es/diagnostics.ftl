@@ -66,7 +66,13 @@ diagnostic-impacts-doubtful = { $count ->
   } más probablemente otra cosa (probabilidad menor que 1/2).
 diagnostic-flight-grows = El vuelo { $flight } es más largo que el anterior, lo cual es imposible sobre una superficie en reposo.
 
-diagnostic-sampling-not-converged = El muestreo no convergió (índice de Pareto { $pareto_shape }; debería ser menor que { $greatest }), así que los intervalos no son fiables; quizá los impactos no son de un solo ensayo.
+diagnostic-impacts-too-close = { $count ->
+    [one] El impacto en { $start_s } s sigue
+   *[other] { $count } impactos desde { $start_s } s siguen
+  } a menos de lo que la pelota toca la superficie ({ $contact_time_s }), y { $count ->
+    [one] se deja
+   *[other] se dejan
+  } fuera. Si hay vuelos largos entre ellos, la pelota es probablemente otra, o su contacto es más corto.
 diagnostic-few-impacts = { $count ->
     [2] 2 impactos muestran un solo vuelo y ninguna restitución de la pelota
     [3] 3 impactos muestran una sola restitución de la pelota, y no cómo cambia con la velocidad
@@ -81,18 +87,17 @@ diagnostic-scatter-exceeds-prior = La restitución varía alrededor de un { $rel
 diagnostic-height-contradicts-times = La altura indicada de { $measured_m } contradice los impactos, que indican una caída desde { $detected_m }; no se utiliza. Ambas concordarían con una gravedad de { $gravity_m_s2 }. La altura, la pelota o la frecuencia de muestreo puede ser errónea.
 diagnostic-release-contradicts-times = El momento de soltar indicado, { $stated_s } s antes del primer impacto, contradice los impactos, que indican una caída de { $detected_s } s; no se utiliza.
 diagnostic-first-impacts-missed = Se perdieron impactos antes del primero detectado, con probabilidad { $probability }.
-diagnostic-height-of-first-detected = La altura de caída es la de la caída antes del primer impacto detectado; una altura medida mostraría si se perdieron impactos.
-diagnostic-drag-from-prior = Estos tiempos de vuelo apenas limitan el arrastre: su coeficiente es el de la distribución a priori de las esferas.
-diagnostic-drag-or-slope = Esta grabación no puede separar el arrastre de una restitución que decrece con la velocidad; ayudaría una altura de caída medida o una pelota más densa.
-diagnostic-no-law-wins = Ninguna ley de restitución domina; el resultado es una media de las leyes posibles.
 diagnostic-other-ball-fits-better = Estos tiempos se ajustan mejor a otra pelota, al menos { $odds } a 1: { $balls }.
 diagnostic-never-rests = Según algunas de las leyes de restitución posibles, la pelota pierde tan poco en los impactos lentos que no llegaría al reposo en un tiempo razonable.
 diagnostic-inference-off = No se pidió ninguna inferencia.
 diagnostic-inference-needs-impacts = Una inferencia necesita al menos un vuelo, es decir, dos impactos.
-diagnostic-no-model-fits = Ningún modelo físico se ajusta a estos tiempos; ¿son de un solo ensayo, en segundos, y es correcta la pelota?
-diagnostic-sampling-failed = No se pudo muestrear la distribución a posteriori: ninguna extracción se ajusta a los tiempos; ¿son de un solo ensayo?
-diagnostic-missed-in-a-row = Se perdieron { $missed } impactos seguidos después del impacto { $after }.
-diagnostic-flight-too-long = El arrastre del aire hace imposible un vuelo tan largo con esta pelota; compruebe la masa, el diámetro y la unidad de los tiempos.
+diagnostic-restitution-undetermined = Hay demasiado pocos impactos: con { $count } la restitución puede estar entre { $least } y { $greatest }. Grabe al menos tres impactos, o mida e indique la altura de caída.
+diagnostic-contact-overlaps = Los impactos { $first } y { $second }, en { $time_s } s, están a { $interval_s } uno de otro, y la pelota toca la superficie durante { $contact_time_s }. Uno de ellos es probablemente un eco u otro sonido: exclúyalo. Si no, corrija la pelota o su tiempo de contacto.
+diagnostic-no-model-fits = Ningún modelo físico se ajusta a estos tiempos. Compruebe que están en segundos y son de un solo ensayo, excluya otros sonidos, y compruebe la pelota.
+diagnostic-sampling-not-converged = Los tiempos no determinan el ensayo: el cálculo de las incertidumbres no convergió. Excluya los impactos que no son de este ensayo, compruebe la pelota, o grabe más impactos.
+diagnostic-sampling-failed = Estos tiempos no se explican como los de un solo ensayo. Excluya otros sonidos, o analice cada ensayo por separado.
+diagnostic-missed-in-a-row = Se perdieron { $missed } impactos seguidos después del impacto { $after }. Inclúyalos, o excluya los impactos después del hueco.
+diagnostic-flight-too-long = El vuelo después del impacto { $after } dura { $duration_s }, lo que el arrastre del aire hace imposible con esta pelota. Incluya un impacto perdido ahí, o compruebe la masa, el diámetro y la unidad de los tiempos.
 diagnostic-gains-speed = La pelota ganaría velocidad en la mayoría de los impactos, lo cual es imposible sobre una superficie en reposo; ¿están los tiempos en orden, en segundos, y son de un solo ensayo?
 diagnostic-variances-confounded = Las varianzas de estos grupos no se pueden separar.
 diagnostic-height-out-of-reach = La altura de la regla es mucho mayor que las alturas de caída detectadas.

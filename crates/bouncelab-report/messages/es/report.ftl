@@ -12,12 +12,6 @@ report-no-reason = nada rebota en él.
 report-drops-found = Se hallaron { $drops } ensayos con { $impacts } impactos.
 report-first-drops = Los primeros { $count } ensayos tienen sus propias secciones abajo; los resultados para programas los tienen todos.
 
-report-kept = La pelota conservó { $share } de su velocidad en cada rebote.
-report-kept-and-fell = La pelota conservó { $share } de su velocidad en cada rebote y cayó desde { $height }.
-report-kept-and-fell-first = La pelota conservó { $share } de su velocidad en cada rebote y cayó desde { $height } antes del primer impacto detectado.
-report-kept-and-stated = La pelota conservó { $share } de su velocidad en cada rebote; la altura de caída indicada es { $height }.
-report-kept-without-air = Si no hubiera aire, la pelota habría conservado { $share } de su velocidad en cada rebote y habría caído desde { $height }.
-report-kept-unknown = No se puede decir cuánto conservó la pelota: { $reason }
 report-impacts = { $count ->
     [one] Se detectó un impacto, en { $first } s
    *[other] Se detectaron { $count } impactos de { $first } s a { $last } s
@@ -26,12 +20,6 @@ report-impacts = { $count ->
     [one] uno de ellos dudoso.
    *[other] { $uncertain } de ellos dudosos.
   }
-report-restitution = El coeficiente de restitución, velocidad después de un impacto entre velocidad antes, es { $value } a { $speed }, teniendo en cuenta el aire.
-report-line-says = El ajuste log-lineal de los tiempos de vuelo, que no cuenta el aire, da { $share } ({ $difference ->
-    [less] { $points } puntos porcentuales menos
-    [more] { $points } puntos porcentuales más
-   *[none] lo mismo
-  }) y { $height }.
 
 report-answers = Inferencia con aire, y ajuste log-lineal sin aire
 report-quantities = Otras magnitudes
@@ -97,7 +85,7 @@ report-repeat-version = La versión { $version } de bouncelab da los mismos núm
 report-repeat-files = Los archivos leídos, con su SHA-256 (sha256sum lo muestra):
 
 report-method = Método
-report-method-short = Los impactos se detectan en el sonido; el tiempo entre dos de ellos es el de un vuelo. La inferencia calcula la distribución a posteriori de la restitución, la altura de caída y el arrastre a partir de todos los tiempos de vuelo, con la caída en el aire, una restitución que varía de impacto a impacto y errores de los tiempos. Cada magnitud se da como mediana ± desviación típica de su distribución a posteriori; un intervalo de credibilidad del 95 % contiene el valor verdadero con esa probabilidad si se cumplen los supuestos. El ajuste log-lineal es una recta por los logaritmos de los tiempos de vuelo y no cuenta el aire. Las fórmulas y las referencias están en «Detalles».
+report-method-short = Los impactos se detectan en el sonido; el tiempo entre dos de ellos es el de un vuelo. La inferencia calcula la distribución a posteriori de la restitución, la altura de caída y el arrastre a partir de todos los tiempos de vuelo, con la caída en el aire, una restitución que varía de impacto a impacto y errores de los tiempos. Cada magnitud se da como mediana ± desviación típica de su distribución a posteriori; un intervalo de credibilidad del 95 % contiene el valor verdadero con esa probabilidad si se cumplen los supuestos. El ajuste log-lineal es una recta por los logaritmos de los tiempos de vuelo y no cuenta el aire. La restitución se da a la velocidad del primer impacto detectado y a una velocidad redonda, porque la de la mayoría de las pelotas cambia con la velocidad. Sin una altura de caída indicada, la altura de caída es la de la caída antes del primer impacto detectado; los tiempos no muestran si antes se perdieron impactos. Un solo ensayo apenas mide el arrastre: su coeficiente es sobre todo el que se conoce de las esferas, y los intervalos incluyen su incertidumbre y la de una restitución que cambia con la velocidad de manera desconocida. Las fórmulas y las referencias están en «Detalles».
 
 report-formulas = El método y sus fórmulas
 report-method-flight = Solo los impactos suenan. El tiempo T entre dos impactos es el de un vuelo, y da su altura h casi independientemente del aire:

@@ -49,7 +49,7 @@ quantity-contact-time = tiempo de contacto
 quantity-height-to-reach = el rebote { $bounce } alcanza { $apex } desde
 
 quantity-interval = 95 %: { $interval }
-quantity-at-speed = a { $speed }
+quantity-at-speed = { $quantity } a { $speed }
 quantity-of-impacts = mediana de { $count } impactos de { $slowest } a { $fastest } m/s
 quantity-of-flights = antes del primer impacto detectado; { $count ->
     [one] 1 vuelo

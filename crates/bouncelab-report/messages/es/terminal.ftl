@@ -33,8 +33,6 @@ analyze-line = Ajuste log-lineal
 analyze-line-heading = Ajuste log-lineal de los tiempos de vuelo, sin contar el aire:
 analyze-corrected = Corregido por arrastre
 analyze-corrected-heading = Corregido por arrastre ({ $ball }, { $law }):
-analyze-corrected-too-few = Corregido por arrastre: sin media: { $count } de los impactos están entre dos vuelos, y hacen falta 3.
-analyze-inference = Inferencia
 analyze-inference-heading = Inferencia, con aire ({ $ball }):
 
 analyze-details-models = Modelos, con igual probabilidad a priori:

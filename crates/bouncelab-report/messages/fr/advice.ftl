@@ -1,7 +1,7 @@
 terminal-advice-impact-gains-energy = Excluez-le avec --exclude TIME.
-terminal-advice-height-of-first-detected = Indiquez-la avec --height.
 terminal-advice-scatter-exceeds-prior = Indiquez la dispersion de cette surface avec --known scatter=2%.
-terminal-advice-drag-or-slope = Indiquez-la avec --height.
+terminal-advice-contact-overlaps = Les options sont --exclude, --ball et --contact-time.
+terminal-advice-restitution-undetermined = Indiquez-la avec --height.
 terminal-advice-ball-floats = L’option est --no-buoyancy.
 terminal-advice-rule-needs-reference = Donnez-les après --reference.
 terminal-advice-rule-needs-height = Indiquez-la avec --height.
@@ -13,4 +13,5 @@ terminal-advice-too-many-channels = L’option est --channel.
 advice-allow-implausible = Corrigez la valeur, ou acceptez-la avec --allow-implausible
 
 page-advice-impact-gains-energy = Supprimez-le s’il paraît faux dans la forme d’onde.
+page-advice-contact-overlaps = Supprimez-le dans la forme d’onde ou dans la liste des impacts.
 page-advice-restitution-rises = Choisissez-la dans la rangée « Quelle balle ? ».

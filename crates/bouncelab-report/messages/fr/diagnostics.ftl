@@ -66,7 +66,13 @@ diagnostic-impacts-doubtful = { $count ->
   } plutôt autre chose (probabilité inférieure à 1/2).
 diagnostic-flight-grows = Le vol { $flight } est plus long que le précédent, ce qui est impossible sur une surface au repos.
 
-diagnostic-sampling-not-converged = L’échantillonnage n’a pas convergé (indice de Pareto { $pareto_shape } ; il devrait être inférieur à { $greatest }) : les intervalles ne sont pas fiables ; les impacts ne sont peut-être pas d’un seul essai.
+diagnostic-impacts-too-close = { $count ->
+    [one] L’impact à { $start_s } s suit
+   *[other] { $count } impacts à partir de { $start_s } s se suivent
+  } de plus près que la balle ne touche la surface ({ $contact_time_s }), et { $count ->
+    [one] est laissé
+   *[other] sont laissés
+  } de côté. S’il y a de longs vols parmi eux, la balle est probablement une autre, ou son contact est plus court.
 diagnostic-few-impacts = { $count ->
     [2] 2 impacts montrent un seul vol et aucune restitution de la balle
     [3] 3 impacts montrent une seule restitution de la balle, et non comment elle change avec la vitesse
@@ -81,18 +87,17 @@ diagnostic-scatter-exceeds-prior = La restitution varie d’environ { $relative_
 diagnostic-height-contradicts-times = La hauteur indiquée de { $measured_m } contredit les impacts, qui indiquent une chute de { $detected_m } ; elle n’est pas utilisée. Les deux s’accorderaient avec une pesanteur de { $gravity_m_s2 }. La hauteur, la balle ou la fréquence d’échantillonnage est peut-être fausse.
 diagnostic-release-contradicts-times = Le lâcher indiqué, { $stated_s } s avant le premier impact, contredit les impacts, qui indiquent une chute de { $detected_s } s ; il n’est pas utilisé.
 diagnostic-first-impacts-missed = Des impacts avant le premier détecté ont été manqués, avec une probabilité de { $probability }.
-diagnostic-height-of-first-detected = La hauteur de chute est celle de la chute avant le premier impact détecté ; une hauteur mesurée montrerait si des impacts ont été manqués.
-diagnostic-drag-from-prior = Ces temps de vol ne contraignent guère la traînée : son coefficient est celui de la loi a priori des sphères.
-diagnostic-drag-or-slope = Cet enregistrement ne peut pas séparer la traînée d’une restitution qui décroît avec la vitesse ; une hauteur de chute mesurée ou une balle plus dense aiderait.
-diagnostic-no-law-wins = Aucune loi de restitution ne domine ; le résultat est une moyenne sur les lois possibles.
 diagnostic-other-ball-fits-better = Ces temps conviennent mieux à une autre balle, à au moins { $odds } contre 1 : { $balls }.
 diagnostic-never-rests = Selon certaines lois de restitution possibles, la balle perd si peu aux impacts lents qu’elle n’atteindrait pas le repos en un temps raisonnable.
 diagnostic-inference-off = Aucune inférence n’a été demandée.
 diagnostic-inference-needs-impacts = Une inférence demande au moins un vol, soit deux impacts.
-diagnostic-no-model-fits = Aucun modèle physique ne convient à ces temps ; sont-ils d’un seul essai, en secondes, et la balle est-elle la bonne ?
-diagnostic-sampling-failed = La loi a posteriori n’a pas pu être échantillonnée : aucun tirage ne convient aux temps ; sont-ils d’un seul essai ?
-diagnostic-missed-in-a-row = { $missed } impacts de suite ont été manqués après l’impact { $after }.
-diagnostic-flight-too-long = La traînée de l’air rend un vol aussi long impossible pour cette balle ; vérifiez la masse, le diamètre et l’unité des temps.
+diagnostic-restitution-undetermined = Il y a trop peu d’impacts : avec { $count }, la restitution peut aller de { $least } à { $greatest }. Enregistrez au moins trois impacts, ou mesurez et indiquez la hauteur de chute.
+diagnostic-contact-overlaps = Les impacts { $first } et { $second }, à { $time_s } s, sont séparés de { $interval_s }, et la balle touche la surface pendant { $contact_time_s }. L’un d’eux est probablement un écho ou un autre son : excluez-le. Sinon, corrigez la balle ou sa durée de contact.
+diagnostic-no-model-fits = Aucun modèle physique ne convient à ces temps. Vérifiez qu’ils sont en secondes et d’un seul essai, excluez les autres sons, et vérifiez la balle.
+diagnostic-sampling-not-converged = Les temps ne déterminent pas l’essai : le calcul des incertitudes n’a pas convergé. Excluez les impacts qui ne sont pas de cet essai, vérifiez la balle, ou enregistrez plus d’impacts.
+diagnostic-sampling-failed = Ces temps ne s’expliquent pas comme ceux d’un seul essai. Excluez les autres sons, ou analysez chaque essai à part.
+diagnostic-missed-in-a-row = { $missed } impacts de suite ont été manqués après l’impact { $after }. Ajoutez-les, ou excluez les impacts après la lacune.
+diagnostic-flight-too-long = Le vol après l’impact { $after } dure { $duration_s }, ce que la traînée de l’air rend impossible pour cette balle. Ajoutez un impact manqué à cet endroit, ou vérifiez la masse, le diamètre et l’unité des temps.
 diagnostic-gains-speed = La balle gagnerait de la vitesse à la plupart des impacts, ce qui est impossible sur une surface au repos ; les temps sont-ils dans l’ordre, en secondes, et d’un seul essai ?
 diagnostic-variances-confounded = Les variances de ces groupes ne peuvent pas être séparées.
 diagnostic-height-out-of-reach = La hauteur de la règle est très supérieure aux hauteurs de chute détectées.

@@ -12,12 +12,6 @@ report-no-reason = rien n’y rebondit.
 report-drops-found = { $drops } essais avec { $impacts } impacts ont été trouvés.
 report-first-drops = Les { $count } premiers essais ont leurs propres sections ci-dessous ; les résultats pour programmes les ont tous.
 
-report-kept = La balle a gardé { $share } de sa vitesse à chaque rebond.
-report-kept-and-fell = La balle a gardé { $share } de sa vitesse à chaque rebond et est tombée de { $height }.
-report-kept-and-fell-first = La balle a gardé { $share } de sa vitesse à chaque rebond et est tombée de { $height } avant le premier impact détecté.
-report-kept-and-stated = La balle a gardé { $share } de sa vitesse à chaque rebond ; la hauteur de chute indiquée est de { $height }.
-report-kept-without-air = S’il n’y avait pas d’air, la balle aurait gardé { $share } de sa vitesse à chaque rebond et serait tombée de { $height }.
-report-kept-unknown = Ce que la balle a gardé ne peut pas être déterminé : { $reason }
 report-impacts = { $count ->
     [1] Un impact a été détecté, à { $first } s
    *[other] { $count } impacts ont été détectés de { $first } s à { $last } s
@@ -26,12 +20,6 @@ report-impacts = { $count ->
     [1] dont un incertain.
    *[other] dont { $uncertain } incertains.
   }
-report-restitution = Le coefficient de restitution, vitesse après un impact sur vitesse avant, est de { $value } à { $speed }, l’air étant pris en compte.
-report-line-says = L’ajustement log-linéaire des temps de vol, qui néglige l’air, donne { $share } ({ $difference ->
-    [less] { $points } points de pourcentage de moins
-    [more] { $points } points de pourcentage de plus
-   *[none] la même valeur
-  }) et { $height }.
 
 report-answers = Inférence avec air, et ajustement log-linéaire sans air
 report-quantities = Autres grandeurs
@@ -97,7 +85,7 @@ report-repeat-version = La version { $version } de bouncelab donne les mêmes no
 report-repeat-files = Les fichiers lus, avec leur SHA-256 (sha256sum l’affiche) :
 
 report-method = Méthode
-report-method-short = Les impacts sont détectés dans le son ; le temps entre deux impacts est celui d’un vol. L’inférence calcule la loi a posteriori de la restitution, de la hauteur de chute et de la traînée à partir de tous les temps de vol, avec la chute dans l’air, une restitution qui varie d’un impact à l’autre et des erreurs sur les temps. Chaque grandeur est donnée comme médiane ± écart-type de sa loi a posteriori ; un intervalle de crédibilité à 95 % contient la valeur vraie avec cette probabilité si les hypothèses sont vraies. L’ajustement log-linéaire est une droite à travers les logarithmes des temps de vol et néglige l’air. Les formules et les références sont sous « Détails ».
+report-method-short = Les impacts sont détectés dans le son ; le temps entre deux impacts est celui d’un vol. L’inférence calcule la loi a posteriori de la restitution, de la hauteur de chute et de la traînée à partir de tous les temps de vol, avec la chute dans l’air, une restitution qui varie d’un impact à l’autre et des erreurs sur les temps. Chaque grandeur est donnée comme médiane ± écart-type de sa loi a posteriori ; un intervalle de crédibilité à 95 % contient la valeur vraie avec cette probabilité si les hypothèses sont vraies. L’ajustement log-linéaire est une droite à travers les logarithmes des temps de vol et néglige l’air. Le coefficient de restitution est donné à la vitesse du premier impact détecté et à une vitesse ronde, car celui de la plupart des balles change avec la vitesse. Sans hauteur de chute indiquée, la hauteur de chute est celle de la chute avant le premier impact détecté ; les temps ne montrent pas si des impacts ont été manqués avant lui. Un seul essai mesure à peine la traînée : son coefficient est surtout celui que l’on connaît des sphères, et les intervalles comprennent son incertitude et celle d’une restitution qui change avec la vitesse d’une manière inconnue. Les formules et les références sont sous « Détails ».
 
 report-formulas = La méthode et ses formules
 report-method-flight = Seuls les impacts font du bruit. Le temps T entre deux impacts est celui d’un vol, et donne sa hauteur h presque indépendamment de l’air :

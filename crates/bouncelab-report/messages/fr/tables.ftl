@@ -49,7 +49,7 @@ quantity-contact-time = durée de contact
 quantity-height-to-reach = le rebond { $bounce } atteint { $apex } depuis
 
 quantity-interval = 95 % : { $interval }
-quantity-at-speed = à { $speed }
+quantity-at-speed = { $quantity } à { $speed }
 quantity-of-impacts = médiane de { $count } impacts de { $slowest } à { $fastest } m/s
 quantity-of-flights = avant le premier impact détecté ; { $count ->
     [one] { $count } vol

@@ -33,8 +33,6 @@ analyze-line = Ajustement log-linéaire
 analyze-line-heading = Ajustement log-linéaire des temps de vol, air négligé :
 analyze-corrected = Corrigé de la traînée
 analyze-corrected-heading = Corrigé de la traînée ({ $ball }, { $law }) :
-analyze-corrected-too-few = Corrigé de la traînée : pas de moyenne : { $count } des impacts sont entre deux vols, et il en faut 3.
-analyze-inference = Inférence
 analyze-inference-heading = Inférence, avec air ({ $ball }) :
 
 analyze-details-models = Modèles, de même probabilité a priori :

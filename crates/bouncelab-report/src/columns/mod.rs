@@ -28,14 +28,15 @@ use std::sync::LazyLock;
 use bouncelab::analysis::MeasuredFlight;
 use bouncelab::restitution::ImpactRestitution;
 use bouncelab::synth::{Rendered, SynthImpact};
-use bouncelab::{Diagnostic, Recording};
+use bouncelab::{Diagnostic, Estimate, Recording};
 
-use crate::data_table::{Cell, CellOf, Column, DataTable, Definition, cells, columns};
+use crate::data_table::{Cell, CellOf, Column, DataTable, Definition, Kind, cells, columns};
 use crate::define_columns;
 use crate::document::simulation::{Bounce, Run};
 use crate::messages::Translator;
+use crate::quantities::{self, Tabulated};
 
-pub use record::{DropRecord, FitRecord, ImpactRecord, PosteriorRecord};
+pub use record::{DropRecord, ImpactRecord, PosteriorRecord};
 
 /// The language of texts in tables, whatever that of the reader: tables are for programs.
 pub static ENGLISH: LazyLock<Translator> = LazyLock::new(Translator::english);
@@ -56,45 +57,57 @@ pub const WHICH: &[Definition<fn(&(&str, usize)) -> Cell>] = define_columns! { |
     drop: Count [""] "number of the drop in its recording, 1 for the first" = Some(row.1);
 };
 
-/// The columns of `drops`.
+/// The columns of `drops` before those of the [reported quantities](crate::quantities).
 const DROPS: &[Definition<CellOf<DropRecord>>] = define_columns! { |row: DropRecord|
     start_s: Number ["s"] "time of the first impact detected" = Some(row.impacts.first()?.impact.time_s);
     impacts: Count [""] "number of impacts detected" = Some(row.impacts.len());
     probability: Number [""] "probability that it is a drop" = Some(row.probability);
-    at_speed_m_s: Number ["m/s"] "impact speed of `restitution`: the reference speed of this drop"
-        = Some(row.posterior()?.at_speed_m_s);
-    restitution: Number [""] "restitution at that speed, by the inference"
-        = Some(row.posterior()?.restitution.value);
-    restitution_sd: Number [""] "its standard uncertainty" = row.posterior()?.restitution.known_sd();
-    restitution_scatter: Number [""] "standard deviation of ln e from impact to impact"
-        = Some(row.posterior()?.restitution_scatter.value);
-    restitution_scatter_sd: Number [""] "its standard uncertainty"
-        = row.posterior()?.restitution_scatter.known_sd();
-    drop_height_m: Number ["m"] "height of the fall, by the inference"
-        = Some(row.posterior()?.drop_height_m.value);
-    drop_height_sd_m: Number ["m"] "its standard uncertainty" = row.posterior()?.drop_height_m.known_sd();
-    drag_coefficient: Number [""] "drag coefficient at the fastest impact"
-        = Some(row.posterior()?.drag_coefficient?.value);
-    drag_coefficient_sd: Number [""] "its standard uncertainty"
-        = row.posterior()?.drag_coefficient?.known_sd();
-    timing_s: Number ["s"] "root mean square error of the times" = Some(row.posterior()?.timing_s.value);
+    at_speed_m_s: Number ["m/s"] "impact speed of `restitution`: that of the first impact detected, or the one asked for"
+        = Some(row.posterior.as_ref()?.at_speed_m_s);
+    first_speed_m_s: Number ["m/s"] "speed of the first impact detected, that of `energy_kept`"
+        = Some(row.posterior.as_ref()?.first_speed_m_s);
+    round_speed_m_s: Number ["m/s"] "impact speed of `round_speed_restitution`"
+        = row.posterior.as_ref()?.round_speed_m_s;
+};
+
+/// The columns of `drops` behind them.
+const DROPS_BEHIND: &[Definition<CellOf<DropRecord>>] = define_columns! { |row: DropRecord|
     missed_first_impacts_mode: Count [""] "most probable number of impacts missed before the first one detected"
-        = row.posterior()?.missed_first_impacts_mode();
-    sampling_converged: Flag [""] "whether the sampling can be trusted" = Some(row.posterior()?.converged);
+        = row.posterior.as_ref()?.missed_first_impacts_mode();
     height_contradicts: Flag [""] "whether the stated height contradicts the flight times"
-        = row.posterior().map(|_| row.height_contradicts());
-    per_impact_restitution: Number [""] "median of the restitutions of the impacts, corrected for drag"
-        = Some(row.per_impact_restitution?.value);
-    per_impact_restitution_sd: Number [""] "its standard error" = row.per_impact_restitution?.known_sd();
-    log_linear_fit_restitution: Number [""] "restitution by the log-linear fit, which neglects the air"
-        = Some(row.fit()?.restitution.value);
-    log_linear_fit_restitution_sd: Number [""] "its standard error" = row.fit()?.restitution.known_sd();
-    log_linear_fit_drop_height_m: Number ["m"] "drop height by the log-linear fit"
-        = Some(row.fit()?.drop_height_m.value);
-    log_linear_fit_drop_height_sd_m: Number ["m"] "its standard error" = row.fit()?.drop_height_m.known_sd();
+        = row.posterior.as_ref().map(|_| row.height_contradicts());
     no_posterior: Text [""] "why there is no inference" = Some(ENGLISH.diagnostic(row.no_posterior.as_ref()?));
     diagnostics: Text [""] "warnings on the drop" = sentences(&row.diagnostics);
 };
+
+/// The reported quantities as columns, each with its standard uncertainty behind it.
+fn quantity_columns() -> Vec<Column> {
+    let of_quantity = |Tabulated { name, unit, about }: Tabulated| {
+        let (end, symbol) = unit.in_columns();
+        let stem = name.strip_suffix(end).unwrap_or(&name);
+        let column = |name: String, about: String| Column {
+            name: name.into(),
+            kind: Kind::Number,
+            unit: symbol.into(),
+            about: about.into(),
+        };
+        let sd = column(
+            format!("{stem}_sd{end}"),
+            "its standard uncertainty".to_owned(),
+        );
+        [column(name, about), sd]
+    };
+    quantities::tabulated().flat_map(of_quantity).collect()
+}
+
+/// The cells of [`quantity_columns`].
+fn quantity_cells(drop: &DropRecord) -> impl Iterator<Item = Cell> {
+    quantities::tabulated().flat_map(|Tabulated { name, .. }| {
+        let estimate = drop.quantities.get(&name);
+        let sd = estimate.and_then(Estimate::known_sd);
+        [Cell::Number(estimate.map(|it| it.value)), Cell::Number(sd)]
+    })
+}
 
 /// The columns of `impacts`.
 const IMPACTS: &[Definition<CellOf<ImpactRecord>>] = define_columns! { |row: ImpactRecord|
@@ -186,7 +199,7 @@ impl TableKind {
     /// Its columns behind [`WHICH`].
     pub fn columns(self) -> Vec<Column> {
         match self {
-            Self::Drops => columns(DROPS),
+            Self::Drops => [columns(DROPS), quantity_columns(), columns(DROPS_BEHIND)].concat(),
             Self::Impacts => columns(IMPACTS),
             Self::Flights => columns(FLIGHTS),
         }
@@ -196,7 +209,10 @@ impl TableKind {
     pub fn rows(self, drop: &DropRecord) -> Vec<Vec<Cell>> {
         let impacts = drop.impacts.iter();
         match self {
-            Self::Drops => vec![cells(DROPS, drop)],
+            Self::Drops => {
+                let quantities = quantity_cells(drop).collect();
+                vec![[cells(DROPS, drop), quantities, cells(DROPS_BEHIND, drop)].concat()]
+            }
             Self::Impacts => impacts.map(|impact| cells(IMPACTS, impact)).collect(),
             Self::Flights => impacts
                 .filter_map(|impact| impact.flight.as_ref())
@@ -227,16 +243,6 @@ pub fn bounces<'a>(runs: impl IntoIterator<Item = &'a Run>) -> DataTable {
 /// The true impacts of a synthesised recording as a table.
 pub fn truth(sound: &Rendered) -> DataTable {
     DataTable::of(TRUTH, &sound.impacts)
-}
-
-impl DropRecord {
-    const fn posterior(&self) -> Option<&PosteriorRecord> {
-        self.posterior.as_ref()
-    }
-
-    const fn fit(&self) -> Option<&FitRecord> {
-        self.log_linear_fit.as_ref()
-    }
 }
 
 impl ImpactRecord {

@@ -1,5 +1,7 @@
 //! What is recorded of a drop: what its rows are made of, and what a session keeps.
 
+use std::collections::BTreeMap;
+
 use bouncelab::analysis::{Drop, MeasuredFlight};
 use bouncelab::diagnostic::Code;
 use bouncelab::groups::RestitutionCurve;
@@ -8,6 +10,8 @@ use bouncelab::restitution::ImpactRestitution;
 use bouncelab::{Diagnostic, Estimate, Impact};
 use serde::{Deserialize, Serialize};
 
+use crate::quantities;
+
 /// The result of one drop.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DropRecord {
@@ -15,11 +19,9 @@ pub struct DropRecord {
     pub probability: f64,
     /// Its impacts, in order of time.
     pub impacts: Vec<ImpactRecord>,
-    /// Median of the restitutions of its impacts, corrected for drag.
-    pub per_impact_restitution: Option<Estimate>,
-    /// The log-linear fit: the straight line through the logarithms of the flight times.
-    pub log_linear_fit: Option<FitRecord>,
-    /// The result of the inference.
+    /// The [reported quantities](crate::quantities), by the names of their columns.
+    pub quantities: BTreeMap<String, Estimate>,
+    /// What belongs to the quantities of the inference; `None` if there is no posterior.
     pub posterior: Option<PosteriorRecord>,
     /// Why there is no posterior.
     pub no_posterior: Option<Diagnostic>,
@@ -40,34 +42,17 @@ pub struct ImpactRecord {
     pub weight: Option<f64>,
 }
 
-/// The results of the log-linear fit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct FitRecord {
-    /// Restitution.
-    pub restitution: Estimate,
-    /// Drop height, m.
-    pub drop_height_m: Estimate,
-}
-
-/// The results of the inference by which drops are compared.
+/// What belongs to the quantities of an inference, and by which drops are compared.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PosteriorRecord {
-    /// The impact speed of [`Self::restitution`], m/s.
+    /// The impact speed of `restitution`, m/s.
     pub at_speed_m_s: f64,
-    /// Restitution at that speed.
-    pub restitution: Estimate,
-    /// Height of the fall, m.
-    pub drop_height_m: Estimate,
-    /// Drag coefficient at the fastest impact.
-    pub drag_coefficient: Option<Estimate>,
-    /// Standard deviation of ln e from impact to impact.
-    pub restitution_scatter: Estimate,
-    /// Root mean square standard error of the times, s.
-    pub timing_s: Estimate,
+    /// The impact speed of `energy_kept`, m/s.
+    pub first_speed_m_s: f64,
+    /// The impact speed of `round_speed_restitution`, m/s.
+    pub round_speed_m_s: Option<f64>,
     /// Probabilities of 0, 1, 2, ... impacts before the first one detected.
     pub missed_first_impacts: Option<Vec<f64>>,
-    /// Whether the sampling can be trusted.
-    pub converged: bool,
     /// Restitution at speeds that all drops share; empty unless drops are compared.
     pub curve: RestitutionCurve,
 }
@@ -83,16 +68,14 @@ impl From<&Drop> for DropRecord {
             flight: drop.flight(impact.number).copied(),
             weight: weight(impact.number),
         });
-        let fit = drop.log_linear_fit.as_ref().ok();
-        let own = drop.diagnostics.iter().filter(|it| is_of_this_drop(it));
+        let own = drop
+            .diagnostics
+            .iter()
+            .filter(|it| it.code != Code::ImpactsOdd);
         Self {
             probability: drop.probability,
             impacts: impacts.collect(),
-            per_impact_restitution: drop.per_impact_restitution(),
-            log_linear_fit: fit.map(|fit| FitRecord {
-                restitution: fit.restitution,
-                drop_height_m: fit.drop_height_m,
-            }),
+            quantities: quantities::estimates(drop),
             posterior: posterior.ok().map(PosteriorRecord::from),
             no_posterior: posterior.err().map(bouncelab::Error::diagnostic),
             diagnostics: own.cloned().collect(),
@@ -100,29 +83,13 @@ impl From<&Drop> for DropRecord {
     }
 }
 
-/// Whether a diagnostic concerns this drop, and not all drops like it.
-fn is_of_this_drop(diagnostic: &Diagnostic) -> bool {
-    !matches!(
-        diagnostic.code,
-        Code::HeightOfFirstDetected
-            | Code::DragFromPrior
-            | Code::DragOrSlope
-            | Code::NoLawWins
-            | Code::ImpactsOdd
-    )
-}
-
 impl From<&Posterior> for PosteriorRecord {
     fn from(posterior: &Posterior) -> Self {
         Self {
             at_speed_m_s: posterior.at_speed_m_s,
-            restitution: posterior.restitution,
-            drop_height_m: posterior.drop_height_m,
-            drag_coefficient: posterior.drag_coefficient,
-            restitution_scatter: posterior.restitution_scatter,
-            timing_s: posterior.timing_s,
+            first_speed_m_s: posterior.first_speed_m_s,
+            round_speed_m_s: posterior.round_speed_m_s,
             missed_first_impacts: posterior.missed_first_impacts.clone(),
-            converged: posterior.sampling.converged,
             curve: RestitutionCurve::default(),
         }
     }

@@ -2,69 +2,25 @@
 
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Options};
 use bouncelab::inference::{Posterior, PriorContraction, UNINFORMATIVE};
-use bouncelab::regression::LogLinearFit;
+use bouncelab::settings::Setup;
 
 use super::page::{Block, Section, ended, sentence};
 use crate::figure::{self, FigureInput, ReportSection};
 use crate::messages::{Translator, Value, capital};
-use crate::quantities::{self, Level, Method, QuantityList, Reported};
-use crate::quantity::{Quantity, Unit};
+use crate::quantities::{self, Headline, Level, Method, QuantityList, Reported, Sentence};
+use crate::quantity::Unit;
 use crate::table::{Align, Table};
 use crate::tables;
 
 /// The answer of a drop in sentences: first the result, then what it follows from.
-pub fn in_words(drop: &Drop, translator: &Translator) -> Vec<Block> {
-    let mut blocks = vec![
-        Block::Lead(kept(drop, translator)),
-        Block::text(detected(drop, translator)),
-    ];
-    if let (Ok(posterior), Ok(line)) = (&drop.posterior, &drop.log_linear_fit) {
-        blocks.push(Block::text(against_the_line(posterior, line, translator)));
-    }
-    blocks
-}
-
-/// "The ball kept 94.6 ± 0.2 % of its speed at each bounce and fell from 30.4 ± 0.6 cm."
-fn kept(drop: &Drop, translator: &Translator) -> String {
-    let inline = |quantity: Quantity| Value::from(unbroken(quantity, translator));
-    match (
-        &drop.posterior,
-        drop.per_impact_restitution(),
-        &drop.log_linear_fit,
-    ) {
-        (Ok(posterior), ..) => {
-            let is_release = posterior.missed_first_impacts.is_some();
-            let id = if posterior.height_was_stated() {
-                "report-kept-and-stated"
-            } else if is_release {
-                "report-kept-and-fell"
-            } else {
-                "report-kept-and-fell-first"
-            };
-            let share = inline(Quantity::of(&posterior.restitution, Unit::Percent));
-            let height = inline(Quantity::of(&posterior.drop_height_m, Unit::Length));
-            translator.text_with(id, &[("share", share), ("height", height)])
-        }
-        (_, Some(corrected), _) => {
-            let share = inline(Quantity::of(&corrected, Unit::Percent));
-            translator.text_with("report-kept", &[("share", share)])
-        }
-        (.., Ok(line)) => {
-            let share = inline(Quantity::of(&line.restitution, Unit::Percent));
-            let height = inline(Quantity::of(&line.drop_height_m, Unit::Length));
-            translator.text_with(
-                "report-kept-without-air",
-                &[("share", share), ("height", height)],
-            )
-        }
-        (.., Err(reason)) => translator.text_with(
-            "report-kept-unknown",
-            &[(
-                "reason",
-                ended(translator.diagnostic(&reason.diagnostic())).into(),
-            )],
-        ),
-    }
+pub fn in_words(drop: &Drop, setup: &Setup, translator: &Translator) -> Vec<Block> {
+    let headline = Headline::of(drop, setup, translator);
+    let mut sentences = headline.sentences.iter().map(Sentence::to_string);
+    let lead = sentences.next().map(Block::Lead);
+    let rest = sentences.chain([detected(drop, translator)]);
+    let rest = Block::text(rest.collect::<Vec<_>>().join(" "));
+    let without_air = headline.without_air.map(|it| Block::text(it.to_string()));
+    lead.into_iter().chain([rest]).chain(without_air).collect()
 }
 
 fn detected(drop: &Drop, translator: &Translator) -> String {
@@ -76,68 +32,30 @@ fn detected(drop: &Drop, translator: &Translator) -> String {
         .iter()
         .filter(|i| i.probability < CONFIDENT_PROBABILITY)
         .count();
-    let impacts = translator.text_with(
-        "report-impacts",
-        &[
-            ("count", impacts.len().into()),
-            ("first", seconds(impacts.first())),
-            ("last", seconds(impacts.last())),
-            ("uncertain", uncertain.into()),
-        ],
-    );
-    let Ok(posterior) = &drop.posterior else {
-        return impacts;
-    };
-    let value = unbroken(
-        Quantity::of(&posterior.restitution, Unit::Number),
-        translator,
-    );
-    let speed = unbroken(
-        Quantity::rounded(posterior.at_speed_m_s, 3, Unit::Speed),
-        translator,
-    );
-    let restitution = [("value", value.into()), ("speed", speed.into())];
-    format!(
-        "{impacts} {}",
-        translator.text_with("report-restitution", &restitution)
-    )
-}
-
-/// What drag does to the log-linear fit of the paper.
-fn against_the_line(posterior: &Posterior, line: &LogLinearFit, translator: &Translator) -> String {
-    let points = 100.0 * (posterior.restitution.value - line.restitution.value);
-    let difference = match points {
-        _ if points.abs() < 0.05 => "none",
-        _ if points > 0.0 => "less",
-        _ => "more",
-    };
-    let share = unbroken(Quantity::of(&line.restitution, Unit::Percent), translator);
-    let height = unbroken(Quantity::of(&line.drop_height_m, Unit::Length), translator);
-    translator.text_with(
-        "report-line-says",
-        &[
-            ("share", share.into()),
-            ("difference", difference.into()),
-            ("points", Value::fixed(points.abs(), 1)),
-            ("height", height.into()),
-        ],
-    )
+    let detected = [
+        ("count", impacts.len().into()),
+        ("first", seconds(impacts.first())),
+        ("last", seconds(impacts.last())),
+        ("uncertain", uncertain.into()),
+    ];
+    translator.text_with("report-impacts", &detected)
 }
 
 /// The answer of one drop and its main figures; `in_words_too` puts the sentences first.
 pub fn drop(
     heading: &str,
     drop: &Drop,
-    settings: &Options,
+    setup: &Setup,
     in_words_too: bool,
     translator: &Translator,
 ) -> Section {
+    let settings = &setup.options;
     let mut blocks = if in_words_too {
-        in_words(drop, translator)
+        in_words(drop, setup, translator)
     } else {
         Vec::new()
     };
-    let notes = drop.diagnostics.iter();
+    let notes = quantities::notes(drop);
     blocks.extend(notes.map(|known| Block::Note(sentence(&translator.diagnostic(known)))));
     let lists = quantities::of_drop(drop, settings, translator);
     let answers = answers(&lists, translator);
@@ -366,9 +284,4 @@ fn contraction(contraction: &PriorContraction, translator: &Translator) -> Strin
             &[("unknown", unknown), ("left", left)],
         )
     }
-}
-
-/// A quantity in a sentence: no line ends within it.
-fn unbroken(quantity: Quantity, translator: &Translator) -> String {
-    quantity.text(translator).replace(' ', "\u{a0}")
 }

@@ -27,7 +27,7 @@ pub fn of_recording(input: &ReportInput, provenance: &Provenance, translator: &T
         sections.push(drop(
             &translator.text("report-drop"),
             only,
-            settings,
+            input.setup,
             false,
             translator,
         ));
@@ -36,7 +36,7 @@ pub fn of_recording(input: &ReportInput, provenance: &Provenance, translator: &T
         for (one, number) in drops.iter().take(MAX_DROPS).zip(1_usize..) {
             let of = [("number", number.into()), ("count", drops.len().into())];
             let heading = translator.text_with("report-drop-of", &of);
-            sections.push(drop(&heading, one, settings, true, translator));
+            sections.push(drop(&heading, one, input.setup, true, translator));
             details.push(Section {
                 heading,
                 blocks: Vec::new(),
@@ -94,7 +94,7 @@ fn lead(input: &ReportInput, translator: &Translator) -> Vec<Block> {
             let reason = [("reason", reason.into())];
             lead.push(Block::Lead(translator.text_with("report-no-drop", &reason)));
         }
-        [only] => lead.extend(in_words(only, translator)),
+        [only] => lead.extend(in_words(only, input.setup, translator)),
         several => {
             let impacts: usize = several.iter().map(|drop| drop.impacts.len()).sum();
             let counts = [("drops", several.len().into()), ("impacts", impacts.into())];

@@ -19,6 +19,7 @@
 //! ```
 
 mod balls;
+mod contact;
 mod derived;
 mod gap;
 mod listed;
@@ -382,7 +383,8 @@ pub fn renumbered(mut impacts: Vec<Impact>) -> Vec<Impact> {
 /// assert!((drop.log_linear_fit.unwrap().restitution.value - 0.929).abs() < 0.001);
 /// ```
 pub fn analyze_impacts(impacts: Vec<Impact>, options: &Options) -> Drop {
-    let per_impact = per_impact(&impacts, options);
+    let (flying, too_close) = contact::flying(&impacts, options.contact_time_s);
+    let per_impact = per_impact(flying, options);
     let flights = flights(&impacts, options, per_impact.as_ref().ok());
     let in_fit: Vec<NumberedFlight> = flights
         .iter()
@@ -393,8 +395,9 @@ pub fn analyze_impacts(impacts: Vec<Impact>, options: &Options) -> Drop {
         })
         .collect();
     let log_linear_fit = regression::fit(&in_fit, options.environment.gravity_m_s2);
-    let posterior = posterior(&impacts, options);
+    let posterior = posterior(flying, options);
     let mut diagnostics = diagnostics(&impacts, &flights, per_impact.as_ref().ok());
+    diagnostics.extend(too_close);
     match &posterior {
         Ok(posterior) => diagnostics.extend(posterior.diagnostics.iter().cloned()),
         Err(Error::CannotInfer(InferenceFailure::NotRequested)) => {}

@@ -204,12 +204,56 @@ pub enum InferenceFailure {
         /// The number of the impact before them.
         after: usize,
     },
+    /// Two impacts, not the last ones, are closer to each other than the ball touches the surface.
+    #[error(
+        "impacts {first} and {second}, at {time_s} s, are {interval_s} s apart, and the ball touches the surface \
+         for {contact_time_s} s; exclude one of them, or correct ball or contact time"
+    )]
+    ContactOverlaps {
+        /// The number of the earlier one.
+        first: usize,
+        /// The number of the later one.
+        second: usize,
+        /// The time of the earlier one, s.
+        time_s: f64,
+        /// The time between them, s.
+        interval_s: f64,
+        /// The contact time, s.
+        contact_time_s: f64,
+    },
+    /// The impacts do not determine the restitution: it is that of its prior.
+    #[error(
+        "{impacts} impacts leave the restitution anywhere from {low:.2} to {high:.2}; record at least three \
+         impacts, or state the drop height"
+    )]
+    RestitutionUndetermined {
+        /// How many impacts there are.
+        impacts: usize,
+        /// Lower end of the 95 % interval.
+        low: f64,
+        /// Upper end.
+        high: f64,
+    },
+    /// The sampling did not converge, so that its intervals could not be trusted.
+    #[error(
+        "the sampling did not converge (Pareto shape {pareto_shape:.2}); are all impacts of one drop, and is the \
+         ball right?"
+    )]
+    NotConverged {
+        /// Shape of the tail of the weights; infinite if a candidate has no sample.
+        pareto_shape: f64,
+    },
     /// No ball with so much drag flies so long.
     #[error(
-        "air drag makes so long a flight impossible for this ball; check mass, diameter and the unit \
-         of the times"
+        "air drag makes a flight of {duration_s} s, after impact {after}, impossible for this ball; check mass, \
+         diameter and the unit of the times"
     )]
-    FlightTooLong,
+    FlightTooLong {
+        /// The number of the impact before the flight.
+        after: usize,
+        /// How long it lasts, s.
+        duration_s: f64,
+    },
     /// The ball would gain speed in most impacts.
     #[error(
         "the ball would gain speed at most impacts, which is impossible on a surface at rest; are the times in \
@@ -388,7 +432,35 @@ impl InferenceFailure {
             Self::MissedInARow { missed, after } => Diagnostic::new(Code::MissedInARow)
                 .with("missed", *missed)
                 .with("after", *after),
-            Self::FlightTooLong => Diagnostic::new(Code::FlightTooLong),
+            Self::FlightTooLong { after, duration_s } => Diagnostic::new(Code::FlightTooLong)
+                .with("after", *after)
+                .with("duration_s", *duration_s),
+            Self::ContactOverlaps {
+                first,
+                second,
+                time_s,
+                interval_s,
+                contact_time_s,
+            } => Diagnostic::new(Code::ContactOverlaps)
+                .with("first", *first)
+                .with("second", *second)
+                .with("time_s", *time_s)
+                .with("interval_s", *interval_s)
+                .with("contact_time_s", *contact_time_s),
+            Self::RestitutionUndetermined { impacts, low, high } => {
+                Diagnostic::new(Code::RestitutionUndetermined)
+                    .with("count", *impacts)
+                    .with("least", *low)
+                    .with("greatest", *high)
+            }
+            Self::NotConverged { pareto_shape } => {
+                let unconverged = Diagnostic::new(Code::SamplingNotConverged);
+                if pareto_shape.is_finite() {
+                    unconverged.with("pareto_shape", *pareto_shape)
+                } else {
+                    unconverged
+                }
+            }
             Self::GainsSpeed => Diagnostic::new(Code::GainsSpeed),
             Self::NoModelFits => Diagnostic::new(Code::NoModelFits),
             Self::SamplingFailed => Diagnostic::new(Code::SamplingFailed),

@@ -1,8 +1,11 @@
 //! From the draws of the posterior to the estimates.
 
-use super::candidates::SampledPosterior;
+use super::candidates::{FittedSpeeds, SampledPosterior};
 use super::likelihood::Innovation;
-use super::parameters::{MAX_TERMINAL_SPEED_STEPS, MIN_SHARE_AT_REST, NEWTON_TOLERANCE, THINNING};
+use super::parameters::{
+    MAX_REMAINING_RESTITUTION, MAX_TERMINAL_SPEED_STEPS, MIN_SHARE_AT_REST, NEWTON_TOLERANCE,
+    ROUND_SPEEDS_M_S, THINNING,
+};
 use super::pool::DrawnDrop;
 use super::posterior::{Draws, ImpactPosterior, Model, Posterior, Sampling};
 use super::predict::Rest;
@@ -12,7 +15,7 @@ use super::unknowns::Point;
 use super::{ApexTarget, InferenceOptions, Prediction, budget, findings, identify, predict};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::drag::DragLaw;
-use crate::error::Result;
+use crate::error::{Error, InferenceFailure, Result};
 use crate::estimate::Estimate;
 use crate::flight::{Environment, FlightModel};
 use crate::stats::sort_by_number;
@@ -54,6 +57,23 @@ impl Answers {
         })
     }
 
+    /// `Ok` if the impacts determine the restitution.
+    ///
+    /// # Errors
+    /// [`InferenceFailure::RestitutionUndetermined`].
+    pub(super) fn check_restitution(&self, impacts: usize) -> Result<()> {
+        let found = Estimate::of_draws(self.restitution.iter().copied());
+        let undetermined = found.filter(|it| {
+            // Before the data it is uniform from 0 to 1, with variance 1/12.
+            it.sd * 12.0_f64.sqrt() > MAX_REMAINING_RESTITUTION
+        });
+        undetermined.map_or(Ok(()), |it| {
+            let [low, high] = it.interval95;
+            let reason = InferenceFailure::RestitutionUndetermined { impacts, low, high };
+            Err(Error::CannotInfer(reason))
+        })
+    }
+
     /// A number of the point of each draw.
     fn of_points(&self, number: impl Fn(&Point) -> f64) -> Vec<f64> {
         self.points.iter().map(number).collect()
@@ -62,6 +82,7 @@ impl Answers {
     pub(super) fn inference(
         self,
         posterior: SampledPosterior,
+        speeds: FittedSpeeds,
         inference: &InferenceOptions,
     ) -> Option<Posterior> {
         let of = |values: &[f64]| Estimate::of_draws(values.iter().copied());
@@ -84,14 +105,22 @@ impl Answers {
         let drag = self.drag(&posterior, &drag_coefficient);
         let gravity_m_s2 = of(&self.environment_gravity(&posterior))?;
         let restitution_scatter = of(&self.of_points(|point| point.scatter))?;
-        let mut diagnostics = findings::diagnostics(&posterior, &innovations, &prior_contraction);
+        let mut diagnostics = findings::diagnostics(&posterior, &innovations);
         if inference.each_impact && !rests {
             diagnostics.push(Diagnostic::new(Code::NeverRests));
         }
         diagnostics.extend(findings::scattered(&posterior, restitution_scatter.value));
+        let fitted = speeds.slowest_m_s..=speeds.fastest_m_s;
+        let mut round = ROUND_SPEEDS_M_S.into_iter();
+        let round_speed_m_s = round.find(|speed| fitted.contains(speed));
         let mut inferred = Posterior {
             at_speed_m_s: self.at_speed_m_s,
             restitution: of(&self.restitution)?,
+            first_speed_m_s: speeds.first_m_s,
+            energy_kept: of(&self.of_points(|point| point.law.at(speeds.first_m_s).powi(2)))?,
+            round_speed_m_s,
+            round_speed_restitution: round_speed_m_s
+                .and_then(|speed| of(&self.of_points(|point| point.law.at(speed)))),
             restitution_slope: of(&self.slope)?,
             drop_height_m: of(&self.drop_height_m)?,
             drag_coefficient: drag.as_ref().map(|drag| drag.coefficient),
@@ -128,7 +157,6 @@ impl Answers {
             sampling: Sampling {
                 effective_draws: posterior.effective_draws(),
                 pareto_shape: posterior.pareto_shape(),
-                converged: posterior.converged(),
             },
             priors: posterior.priors.diagnostics(),
             band: Vec::new(),
@@ -139,10 +167,7 @@ impl Answers {
                 drop_height_m: self.drop_height_m,
                 total_time_s: rest.iter().map(|rest| rest.time_s).collect(),
             },
-            fitted_speeds_m_s: posterior.fitted_speeds_m_s().unwrap_or([
-                posterior.reference.speeds.slowest_m_s,
-                posterior.reference.speeds.fastest_m_s,
-            ]),
+            fitted_speeds_m_s: [speeds.slowest_m_s, speeds.fastest_m_s],
             weights,
             sampled: posterior,
         };

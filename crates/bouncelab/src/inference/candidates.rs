@@ -49,6 +49,15 @@ pub(super) struct Numbering {
     flights: Vec<TimedFlights>,
 }
 
+/// Speeds of the impacts that were followed by a flight, m/s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct FittedSpeeds {
+    /// That of the first impact detected.
+    pub(super) first_m_s: f64,
+    pub(super) slowest_m_s: f64,
+    pub(super) fastest_m_s: f64,
+}
+
 /// The posterior over all candidates.
 #[derive(Debug, Clone)]
 pub(super) struct SampledPosterior {
@@ -386,17 +395,28 @@ impl SampledPosterior {
         details.map_or_else(Vec::new, |details| details.innovations)
     }
 
-    /// The slowest and the fastest impact that was followed by a flight, at the best fit of the best candidate, m/s.
-    pub(super) fn fitted_speeds_m_s(&self) -> Option<[f64; 2]> {
+    /// Speeds of the impacts that were followed by a flight, at the best fit of the best candidate.
+    pub(super) fn fitted_speeds(&self) -> FittedSpeeds {
+        let rough = &self.reference.speeds;
+        self.fitted_ends().unwrap_or(FittedSpeeds {
+            first_m_s: rough.fastest_m_s,
+            slowest_m_s: rough.slowest_m_s,
+            fastest_m_s: rough.fastest_m_s,
+        })
+    }
+
+    fn fitted_ends(&self) -> Option<FittedSpeeds> {
         let candidate = &self.candidates[0];
         let model = self.model(candidate);
         let point = model.point(candidate.fit.vector.as_slice())?;
         let ends = model.evaluate(&[point])?.ends;
         let (_, left) = ends.split_last()?;
-        let speeds = left.iter().map(|end| end.log_impact.0[0].exp());
-        let widest =
-            |[slowest, fastest]: [f64; 2], speed: f64| [slowest.min(speed), fastest.max(speed)];
-        Some(speeds.fold([f64::INFINITY, 0.0], widest))
+        let speeds = || left.iter().map(|end| end.log_impact.0[0].exp());
+        Some(FittedSpeeds {
+            first_m_s: speeds().next()?,
+            slowest_m_s: speeds().fold(f64::INFINITY, f64::min),
+            fastest_m_s: speeds().fold(0.0, f64::max),
+        })
     }
 }
 

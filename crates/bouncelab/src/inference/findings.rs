@@ -1,11 +1,9 @@
 //! The diagnostics of an inference.
 
 use super::candidates::SampledPosterior;
-use super::identify::{PriorContraction, Unknown};
 use super::likelihood::Innovation;
 use super::parameters::{
-    CLEAR_LAW_WEIGHT, FEW_IMPACTS, LARGE_SCATTER_FACTOR, MANY_RESTITUTIONS, MAX_PARETO_SHAPE,
-    OUTLIER_WEIGHT, RELEVANT_WEIGHT, UNINFORMATIVE,
+    FEW_IMPACTS, LARGE_SCATTER_FACTOR, MANY_RESTITUTIONS, OUTLIER_WEIGHT, RELEVANT_WEIGHT,
 };
 use crate::diagnostic::{Code, Diagnostic};
 use crate::restitution::LawKind;
@@ -14,16 +12,8 @@ use crate::restitution::LawKind;
 pub(super) fn diagnostics(
     posterior: &SampledPosterior,
     innovations: &[Innovation],
-    prior_contraction: &[PriorContraction],
 ) -> Vec<Diagnostic> {
     let mut diagnostics = Vec::new();
-    if !posterior.converged() {
-        diagnostics.push(
-            Diagnostic::new(Code::SamplingNotConverged)
-                .with("pareto_shape", posterior.pareto_shape())
-                .with("greatest", MAX_PARETO_SHAPE),
-        );
-    }
     let impacts = &posterior.observed().impacts;
     if impacts.len() < FEW_IMPACTS {
         diagnostics.push(Diagnostic::new(Code::FewImpacts).with("count", impacts.len()));
@@ -55,25 +45,7 @@ pub(super) fn diagnostics(
         );
     }
     diagnostics.extend(posterior.contradictions.iter().cloned());
-    diagnostics.extend(about_the_height(posterior));
-    let remaining = |unknown: Unknown| {
-        let found = prior_contraction.iter().find(|n| n.unknown == unknown);
-        found.map(|n| n.remaining)
-    };
-    let drag_unknown = remaining(Unknown::Drag).is_some_and(|share| share > UNINFORMATIVE);
-    if drag_unknown {
-        diagnostics.push(Diagnostic::new(Code::DragFromPrior));
-    }
-    let slope_possible = posterior
-        .candidates
-        .iter()
-        .any(|candidate| candidate.law != LawKind::Constant && candidate.weight > RELEVANT_WEIGHT);
-    if drag_unknown && slope_possible {
-        diagnostics.push(Diagnostic::new(Code::DragOrSlope));
-    }
-    if law_weight(posterior) < CLEAR_LAW_WEIGHT {
-        diagnostics.push(Diagnostic::new(Code::NoLawWins));
-    }
+    diagnostics.extend(missed_first(posterior));
     diagnostics
 }
 
@@ -89,23 +61,7 @@ pub(super) fn scattered(posterior: &SampledPosterior, scatter: f64) -> Option<Di
     })
 }
 
-/// Probability of the most probable restitution law.
-fn law_weight(posterior: &SampledPosterior) -> f64 {
-    LawKind::ALL
-        .into_iter()
-        .map(|law| {
-            let of_law = posterior.candidates.iter().filter(|c| c.law == law);
-            of_law.map(|c| c.weight).sum::<f64>()
-        })
-        .fold(0.0, f64::max)
-}
-
-fn about_the_height(posterior: &SampledPosterior) -> Option<Diagnostic> {
-    let priors = &posterior.priors;
-    if priors.drop_height_m.is_none() && priors.release_s.is_none() {
-        let unknown = posterior.contradictions.is_empty();
-        return unknown.then(|| Diagnostic::new(Code::HeightOfFirstDetected));
-    }
+fn missed_first(posterior: &SampledPosterior) -> Option<Diagnostic> {
     let missed: f64 = posterior
         .candidates
         .iter()

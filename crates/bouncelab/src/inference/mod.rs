@@ -91,8 +91,7 @@ use candidates::SampledPosterior;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub struct InferenceOptions {
-    /// The impact speed at which to state the restitution, m/s; if `None`, the geometric
-    /// mean of those detected, where it is known best.
+    /// The impact speed at which to state the restitution, m/s; if `None`, that of the first impact detected.
     pub at_speed_m_s: Option<f64>,
     /// From which height does the flight after a bounce (1 for the first) rise to an apex, in m?
     pub reach: Vec<ApexTarget>,
@@ -151,7 +150,8 @@ pub struct Prediction {
 ///
 /// # Errors
 ///
-/// [`Error::CannotInfer`] with fewer than two impacts or if no physical model explains them,
+/// [`Error::CannotInfer`] with fewer than two impacts, if no physical model explains them, if they do not determine the
+/// restitution, or if the sampling does not converge;
 /// [`Error::OutOfRange`] and [`Error::NotInOrder`] for times and priors that make no sense, and
 /// the errors of [`FlightModel::new`](crate::flight::FlightModel::new).
 pub fn infer(
@@ -176,12 +176,21 @@ pub fn infer(
         priors,
         &inference.sampler,
     )?;
-    let at_speed_m_s = inference
-        .at_speed_m_s
-        .unwrap_or(posterior.reference.speeds.reference_m_s);
-    Answers::new(&posterior, at_speed_m_s)
-        .and_then(|answers| answers.inference(posterior, inference))
-        .ok_or(Error::CannotInfer(InferenceFailure::SamplingFailed))
+    let failed = || Error::CannotInfer(InferenceFailure::SamplingFailed);
+    if posterior.draws.is_empty() {
+        return Err(failed());
+    }
+    let pareto_shape = posterior.pareto_shape();
+    if pareto_shape >= MAX_PARETO_SHAPE {
+        let unconverged = InferenceFailure::NotConverged { pareto_shape };
+        return Err(Error::CannotInfer(unconverged));
+    }
+    let speeds = posterior.fitted_speeds();
+    let at_speed_m_s = inference.at_speed_m_s.unwrap_or(speeds.first_m_s);
+    let answers = Answers::new(&posterior, at_speed_m_s).ok_or_else(failed)?;
+    answers.check_restitution(impacts.len())?;
+    let found = answers.inference(posterior, speeds, inference);
+    found.ok_or_else(failed)
 }
 
 /// The most probable drop under one law, without uncertainties.

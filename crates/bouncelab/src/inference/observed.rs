@@ -1,9 +1,7 @@
 //! The impact times as the inference sees them: intervals between impacts that were detected.
 
-use std::ops::Bound::{Excluded, Unbounded};
-
 use super::parameters::{MAX_MISSED, MIN_TIME_SD_S, READ_OFF_S, ROUNDED_TO_S, ROUNDING_TOLERANCE};
-use crate::error::{Error, InferenceFailure, Quantity, Result, in_order, within};
+use crate::error::{Error, InferenceFailure, Quantity, Result, in_order, positive, within};
 use crate::impact::Impact;
 
 /// The time from one detected impact to the next; more than one flight if impacts were missed.
@@ -30,7 +28,8 @@ impl Observed {
     /// Checks the impacts and cuts the drop into intervals.
     ///
     /// # Errors
-    /// [`Error::CannotInfer`] with fewer than two impacts, or if they are not in order of time.
+    /// [`Error::CannotInfer`] with fewer than two impacts or if two are closer than a contact,
+    /// [`Error::NotInOrder`] and [`Error::OutOfRange`] if they are not in order.
     pub(super) fn new(impacts: &[Impact], contact_time_s: f64) -> Result<Self> {
         if impacts.len() < 2 {
             return Err(Error::CannotInfer(InferenceFailure::TooFewImpacts {
@@ -98,8 +97,16 @@ impl Observed {
 
 fn interval(from: &Impact, to: &Impact, contact_time_s: f64) -> Result<Interval> {
     let (duration_s, flights) = (to.time_s - from.time_s, to.number - from.number);
-    let shortest_s = Excluded(contact_time_s * flights as f64);
-    within(Quantity::Interval, duration_s, (shortest_s, Unbounded))?;
+    positive(Quantity::Interval, duration_s)?;
+    if duration_s <= contact_time_s * flights as f64 {
+        return Err(Error::CannotInfer(InferenceFailure::ContactOverlaps {
+            first: from.number,
+            second: to.number,
+            time_s: from.time_s,
+            interval_s: duration_s,
+            contact_time_s,
+        }));
+    }
     if flights > MAX_MISSED + 1 {
         return Err(Error::CannotInfer(InferenceFailure::MissedInARow {
             missed: flights - 1,

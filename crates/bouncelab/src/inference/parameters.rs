@@ -296,10 +296,18 @@ pub(super) const MIN_PART_WITH_UNKNOWN: usize = 10;
 /// A quantity whose relative standard deviation is below this does not vary.
 pub(super) const CONSTANT_REL_SD: f64 = 1e-12;
 
+/// If more than this of the standard deviation of its prior remains, the restitution is not determined: two impacts without a
+/// drop height leave 0.7, three leave 0.1 or less.
+pub(super) const MAX_REMAINING_RESTITUTION: f64 = 0.5;
+
+/// Round speeds at which the restitution is stated, m/s: of 1, 2, 5, 10, ... those that balls reach, the nearest to 1 m/s
+/// first.
+pub(super) const ROUND_SPEEDS_M_S: [f64; 9] = [1.0, 2.0, 0.5, 5.0, 0.2, 10.0, 0.1, 20.0, 0.05];
+
 // ---- The diagnostics.
 
-/// An impact with less weight than this is an outlier.
-pub(super) const OUTLIER_WEIGHT: f64 = 0.55;
+/// An impact with less weight than this is an outlier: of regular ones about one in a thousand has so little.
+pub(super) const OUTLIER_WEIGHT: f64 = 0.25;
 
 /// Fewer impacts than this leave most to the priors.
 pub(super) const FEW_IMPACTS: usize = 5;
@@ -313,6 +321,3 @@ pub(super) const LARGE_SCATTER_FACTOR: f64 = 2.0;
 /// With this number of restitutions the data determine the logarithm of the scatter to 1/6, five times as well as the
 /// prior, which reduces it by a twentieth.
 pub(super) const MANY_RESTITUTIONS: usize = 20;
-
-/// A law that is less probable than this is not the only one possible.
-pub(super) const CLEAR_LAW_WEIGHT: f64 = 0.9;

@@ -8,9 +8,7 @@ use rand_chacha::ChaCha8Rng;
 use super::candidates::{Candidate, SampledPosterior, best_evidence, weigh};
 use super::fit;
 use super::order::order;
-use super::parameters::{
-    MANY_FLIGHTS, MAX_PARETO_SHAPE, MIN_PART_OF_DRAWS, PRUNE_BELOW, RELEVANT_WEIGHT, THINNING,
-};
+use super::parameters::{MANY_FLIGHTS, MIN_PART_OF_DRAWS, PRUNE_BELOW, RELEVANT_WEIGHT, THINNING};
 use super::predict::{self, Future, Rest};
 use super::sample;
 use super::smoothing::DropState;
@@ -203,11 +201,6 @@ impl SampledPosterior {
                 None => f64::INFINITY,
             })
             .fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// Whether the sampling can be trusted.
-    pub(super) fn converged(&self) -> bool {
-        !self.draws.is_empty() && self.pareto_shape() < MAX_PARETO_SHAPE
     }
 
     /// Number of independent draws with the same information.

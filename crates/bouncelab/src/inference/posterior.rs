@@ -18,11 +18,21 @@ use crate::restitution::LawKind;
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[non_exhaustive]
 pub struct Posterior {
-    /// The impact speed of [`Self::restitution`], m/s.
+    /// The impact speed of [`Self::restitution`], m/s: [`Self::first_speed_m_s`] unless another was
+    /// [asked for](super::InferenceOptions::at_speed_m_s).
     pub at_speed_m_s: f64,
     /// The restitution law at that speed.
     pub restitution: Estimate,
-    /// -d ln e/d ln v at that speed: by how many per cent restitution falls when speed grows by one.
+    /// The speed of the first impact detected, at the best fit, m/s.
+    pub first_speed_m_s: f64,
+    /// The share of its kinetic energy that the ball kept at the first impact detected: e² at that speed.
+    pub energy_kept: Estimate,
+    /// A round impact speed, at which drops can be compared, m/s: of 1, 2, 5, 10, ... that between the slowest and the
+    /// fastest impact which is nearest to 1 m/s; `None` if there is none.
+    pub round_speed_m_s: Option<f64>,
+    /// The restitution law at that speed.
+    pub round_speed_restitution: Option<Estimate>,
+    /// -d ln e/d ln v at [`Self::at_speed_m_s`]: by how many per cent restitution falls when speed grows by one.
     pub restitution_slope: Estimate,
     /// Height of the fall: before the first impact if a height or release was given, else before
     /// the first impact detected, m.
@@ -159,13 +169,9 @@ pub struct Draws {
 pub struct Sampling {
     /// Draws that count as independent.
     pub effective_draws: f64,
-    /// Shape of the tail of the weights; the answer stands if it is below
-    /// [`MAX_PARETO_SHAPE`](super::MAX_PARETO_SHAPE).
-    #[cfg_attr(feature = "serde", serde(with = "crate::estimate::number"))]
-    #[cfg_attr(feature = "typescript", ts(type = "number | null"))]
+    /// Shape of the tail of the weights: below [`MAX_PARETO_SHAPE`](super::MAX_PARETO_SHAPE), above which there is no
+    /// posterior.
     pub pareto_shape: f64,
-    /// Whether it can be trusted.
-    pub converged: bool,
 }
 
 /// The restitution law at one speed.
@@ -199,6 +205,12 @@ impl Posterior {
         let mut impacts = self.sampled.observed().impacts.iter();
         let index = impacts.position(|it| it.number == number)?;
         self.weights.get(index).copied()
+    }
+
+    /// Whether the impact of this number is an outlier, which has little weight in the fit.
+    pub fn is_outlier(&self, number: usize) -> bool {
+        self.weight(number)
+            .is_some_and(|weight| weight < OUTLIER_WEIGHT)
     }
 
     /// The restitution law at a speed, m/s.

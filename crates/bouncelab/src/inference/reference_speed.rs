@@ -36,12 +36,17 @@ impl ReferenceSpeed {
         let rows = observed
             .intervals
             .iter()
-            .map(|interval| {
-                let time_s = interval.duration_s / interval.flights as f64 - medium.contact_time_s;
-                nominal?.lasting(medium.gravity_m_s2 * time_s)
+            .zip(&observed.impacts)
+            .map(|(interval, impact)| {
+                let duration_s = interval.duration_s / interval.flights as f64;
+                let time_s = duration_s - medium.contact_time_s;
+                let row = nominal.and_then(|it| it.lasting(medium.gravity_m_s2 * time_s));
+                row.ok_or(Error::CannotInfer(InferenceFailure::FlightTooLong {
+                    after: impact.number,
+                    duration_s,
+                }))
             })
-            .collect::<Option<Vec<Row>>>()
-            .ok_or(Error::CannotInfer(InferenceFailure::FlightTooLong))?;
+            .collect::<Result<Vec<Row>>>()?;
         let single = |interval: usize| observed.intervals[interval].flights == 1;
         let impacts = (1..rows.len()).filter(|&impact| single(impact) && single(impact - 1));
         let logs: Vec<(usize, f64)> = impacts

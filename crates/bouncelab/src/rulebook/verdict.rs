@@ -397,7 +397,6 @@ fn of_drops(places: &[Place], rebounds: &[Rebound]) -> Vec<InconclusiveReason> {
                         .diagnostics
                         .iter()
                         .filter_map(|known| match known.code {
-                            Code::SamplingNotConverged => Some(unknown(known.clone())),
                             Code::HeightContradictsTimes => {
                                 Some(InconclusiveReason::Height(known.clone()))
                             }

@@ -7,7 +7,9 @@ import { language, text } from '../../text/language.ts';
 export function Remarks() {
   const result = drop.value;
   if (!result) return null;
-  const all = [...result.diagnostics, ...(analysed.value?.document.diagnostics ?? [])];
+  // An error is why there is no answer, which stands in its place.
+  const ofDrop = result.diagnostics.filter(({ severity }) => severity !== 'error');
+  const all = [...ofDrop, ...(analysed.value?.document.diagnostics ?? [])];
   const warnings = all.filter(({ severity }) => severity === 'warning');
   const others = all.filter(({ severity }) => severity !== 'warning');
   const narrowed = result.posterior?.prior_contraction ?? [];

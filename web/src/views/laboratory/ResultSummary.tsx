@@ -1,9 +1,8 @@
+import { Fragment } from 'preact';
 import { Rich } from '../../app/Rich.tsx';
-import { fixed, LENGTH, rounded } from '../../format/quantity.ts';
-import type { Drop } from '../../lab/index.ts';
-import { drop, edited, marks, refining, workspace } from '../../state/workspace.ts';
-import { answerOf } from '../../text/answer.ts';
-import { language, parts, text } from '../../text/language.ts';
+import type { Headline, Sentence } from '../../lab/index.ts';
+import { edited, headline, marks, refining, workspace } from '../../state/workspace.ts';
+import { text } from '../../text/language.ts';
 import { CERTAIN } from '../../wave/mark.ts';
 import { listed } from './ImpactTable.tsx';
 import { NoDrop } from './NoDrop.tsx';
@@ -13,7 +12,7 @@ import { Why } from './Why.tsx';
 
 /** The answer, a sentence first. */
 export function ResultSummary() {
-  const result = drop.value;
+  const answer = headline.value;
   return (
     <section
       class="summary"
@@ -22,14 +21,12 @@ export function ResultSummary() {
       aria-busy={refining.value}
     >
       {workspace.value?.recording.result.drops.length === 0 && marks.value.length < 3 && <NoDrop />}
-      {marks.value.length > 0 && !result?.log_linear_fit && !result?.posterior && (
-        <p class="second">{text('page-lab-cannot-tell')}</p>
-      )}
-      {result && <Sentences result={result} />}
+      {marks.value.length > 0 && !answer && <p class="second">{text('page-lab-cannot-tell')}</p>}
+      {answer && <Sentences headline={answer} />}
       {marks.value.length > 0 && <Count />}
-      {result && (
+      {answer && (
         <>
-          <Air result={result} />
+          {answer.without_air && <Air sentence={answer.without_air} />}
           <Remarks />
           <Numbers />
         </>
@@ -38,19 +35,24 @@ export function ResultSummary() {
   );
 }
 
-/** Restitution and height with their uncertainties. */
-function Sentences({ result }: { readonly result: Drop }) {
-  const { share, height, heightSentence } = answerOf(result);
+/** The answer with its speed and ball, or why there is none. */
+function Sentences({ headline: { is_answer, sentences } }: { readonly headline: Headline }) {
+  const [first, ...others] = sentences;
   return (
     <>
-      {share !== undefined && (
-        <p class="first" title={text('page-words-restitution')}>
-          <Rich parts={parts('page-lab-kept', { share })} />
+      {first && (
+        <p class={is_answer ? 'first' : 'second'} title={text('page-words-restitution')}>
+          <Rich parts={first} />
         </p>
       )}
-      {height !== undefined && (
+      {others.length > 0 && (
         <p class="second">
-          <Rich parts={parts(heightSentence, { height })} />
+          {others.map((parts, index) => (
+            <Fragment key={index}>
+              {index > 0 && ' '}
+              <Rich parts={parts} />
+            </Fragment>
+          ))}
         </p>
       )}
     </>
@@ -79,22 +81,12 @@ function Count() {
   );
 }
 
-/** The part of the loss by the log-linear fit that is due to the air. */
-function Air({ result }: { readonly result: Drop }) {
-  const { posterior, per_impact, log_linear_fit } = result;
-  // Until the inference is ready the quick answer is shown, so that the layout does not change.
-  const withoutAir = (posterior ?? per_impact)?.restitution;
-  if (!withoutAir || !log_linear_fit) return null;
-  const spoken = language.value;
-  const height = log_linear_fit.drop_height_m.value;
-  const points = 100 * (withoutAir.value - log_linear_fit.restitution.value);
+/** What the log-linear fit gives, and why it differs. */
+function Air({ sentence }: { readonly sentence: Sentence }) {
   return (
     <div class="stack">
       <p>
-        {points > 0.05
-          ? text('page-lab-air-explains', { points: fixed(points, 1, spoken) })
-          : text('page-lab-air-nothing')}{' '}
-        {text('page-lab-line-height', { height: rounded(height, 3, LENGTH, spoken) })}
+        <Rich parts={sentence} />
       </p>
       <Why />
     </div>

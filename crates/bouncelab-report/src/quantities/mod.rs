@@ -2,7 +2,8 @@
 //!
 //! A quantity is one entry of `CATALOGUE`: how it follows from each method, its symbol, unit and level, and the
 //! message with its name. Every front end takes its list, the order and the digits from [`of_drop`], and decides
-//! only how the rows look and where each [`Level`] is.
+//! only how the rows look and where each [`Level`] is; the tables of drops have a column for each estimate. What a
+//! person reads first is the [`Headline`].
 //!
 //! ```
 //! use bouncelab::{Options, analyze_times};
@@ -18,6 +19,9 @@
 //! assert_eq!(restitution.value, "0.9322 ± 0.0010");
 //! ```
 
+mod headline;
+
+use std::collections::BTreeMap;
 use std::iter;
 
 use bouncelab::Estimate;
@@ -27,8 +31,11 @@ use bouncelab::regression::LogLinearFit;
 use bouncelab::restitution::PerImpact;
 use serde::Serialize;
 
+use crate::columns::ENGLISH;
 use crate::messages::{Translator, Value};
 use crate::quantity::{Quantity, Unit};
+
+pub use headline::{Headline, Sentence, notes};
 
 /// Which readers a quantity is for; each level contains the ones before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
@@ -57,6 +64,18 @@ pub enum Method {
 }
 
 impl Method {
+    /// Every method, the best first.
+    const ALL: [Self; 3] = [Self::Inference, Self::PerImpact, Self::LogLinearFit];
+
+    /// What the names of its columns begin with.
+    const fn prefix(self) -> &'static str {
+        match self {
+            Self::Inference => "",
+            Self::PerImpact => "per_impact_",
+            Self::LogLinearFit => "log_linear_fit_",
+        }
+    }
+
     /// Its name: the heading of its column or list.
     pub fn heading(self, translator: &Translator) -> String {
         translator.text(match self {
@@ -109,23 +128,41 @@ impl Reported {
     }
 }
 
-/// How a method gives a quantity, and the note on its value.
+/// How a method gives a quantity.
 struct By<R: 'static> {
-    estimate: fn(&R) -> Option<Estimate>,
+    /// `None` if the method does not give it.
+    estimate: Option<fn(&R) -> Option<Estimate>>,
+    /// The note on its value.
     note: fn(&R, &Translator) -> Option<String>,
+    /// The impact speed that its name states, m/s.
+    speed_m_s: fn(&R) -> Option<f64>,
 }
 
 impl<R> By<R> {
     /// The method does not give it.
-    const NOT: Self = Self::new(|_| None);
+    const NOT: Self = Self {
+        estimate: None,
+        note: |_, _| None,
+        speed_m_s: |_| None,
+    };
 
     const fn new(estimate: fn(&R) -> Option<Estimate>) -> Self {
-        let note = |_: &R, _: &Translator| None;
-        Self { estimate, note }
+        Self {
+            estimate: Some(estimate),
+            ..Self::NOT
+        }
     }
 
     const fn noted(self, note: fn(&R, &Translator) -> Option<String>) -> Self {
         Self { note, ..self }
+    }
+
+    const fn at(self, speed_m_s: fn(&R) -> Option<f64>) -> Self {
+        Self { speed_m_s, ..self }
+    }
+
+    fn of(&self, result: &R) -> Option<Estimate> {
+        self.estimate.and_then(|estimate| estimate(result))
     }
 }
 
@@ -161,16 +198,36 @@ impl Entry {
 }
 
 /// Every quantity, in the order in which they are reported.
-static CATALOGUE: [Entry; 12] = [
+static CATALOGUE: [Entry; 13] = [
     Entry {
         symbol: "e",
-        inferred: By::new(|it: &Posterior| Some(it.restitution)).noted(at_speed),
+        inferred: By::new(|it: &Posterior| Some(it.restitution)).at(|it| Some(it.at_speed_m_s)),
         per_impact: By::new(|it: &PerImpact| it.restitution).noted(of_impacts),
         fitted: By::new(|it: &LogLinearFit| Some(it.restitution)),
         ..Entry::new(
             "restitution",
             "quantity-restitution",
             Unit::Number,
+            Level::Headline,
+        )
+    },
+    Entry {
+        symbol: "e",
+        inferred: By::new(|it: &Posterior| it.round_speed_restitution).at(|it| it.round_speed_m_s),
+        ..Entry::new(
+            "round_speed_restitution",
+            "quantity-restitution",
+            Unit::Number,
+            Level::Headline,
+        )
+    },
+    Entry {
+        inferred: By::new(|it: &Posterior| Some(it.energy_kept)).at(|it| Some(it.first_speed_m_s)),
+        fitted: By::new(|it: &LogLinearFit| Some(it.energy_kept)),
+        ..Entry::new(
+            "energy_kept",
+            "quantity-energy-kept",
+            Unit::Percent,
             Level::Headline,
         )
     },
@@ -183,15 +240,6 @@ static CATALOGUE: [Entry; 12] = [
             "quantity-drop-height",
             Unit::Length,
             Level::Headline,
-        )
-    },
-    Entry {
-        fitted: By::new(|it: &LogLinearFit| Some(it.energy_kept)),
-        ..Entry::new(
-            "energy_kept",
-            "quantity-energy-kept",
-            Unit::Percent,
-            Level::More,
         )
     },
     Entry {
@@ -288,6 +336,57 @@ pub fn ids() -> impl Iterator<Item = &'static str> {
     ids.chain([PREDICTIONS])
 }
 
+/// A quantity by one method, as tables of drops have it.
+pub(crate) struct Tabulated {
+    /// The name of its column: the field of the document that holds it.
+    pub(crate) name: String,
+    pub(crate) unit: Unit,
+    /// What it is.
+    pub(crate) about: String,
+}
+
+/// Every quantity that tables of drops have, method by method.
+pub(crate) fn tabulated() -> impl Iterator<Item = Tabulated> {
+    let of_method = |method: Method| {
+        let given = CATALOGUE.iter().filter(move |entry| match method {
+            Method::Inference => entry.inferred.estimate.is_some(),
+            Method::PerImpact => entry.per_impact.estimate.is_some(),
+            Method::LogLinearFit => entry.fitted.estimate.is_some(),
+        });
+        given.map(move |entry| Tabulated {
+            name: format!("{}{}", method.prefix(), entry.id),
+            unit: entry.unit,
+            about: format!(
+                "{} ({})",
+                ENGLISH.text(entry.message),
+                method.heading(&ENGLISH)
+            ),
+        })
+    };
+    Method::ALL.into_iter().flat_map(of_method)
+}
+
+/// The estimates of a drop, by the names of their columns.
+pub(crate) fn estimates(drop: &Drop) -> BTreeMap<String, Estimate> {
+    let (inferred, fit) = (
+        drop.posterior.as_ref().ok(),
+        drop.log_linear_fit.as_ref().ok(),
+    );
+    let per_impact = drop.per_impact.as_ref().ok();
+    let of_entry = |entry: &'static Entry| {
+        let by_method = [
+            inferred.and_then(|it| entry.inferred.of(it)),
+            per_impact.and_then(|it| entry.per_impact.of(it)),
+            fit.and_then(|it| entry.fitted.of(it)),
+        ];
+        let named = move |(method, estimate): (Method, Option<Estimate>)| {
+            Some((format!("{}{}", method.prefix(), entry.id), estimate?))
+        };
+        iter::zip(Method::ALL, by_method).filter_map(named)
+    };
+    CATALOGUE.iter().flat_map(of_entry).collect()
+}
+
 /// The quantities of a drop, method by method, the best first; a method that gives none has no list.
 pub fn of_drop(drop: &Drop, options: &Options, translator: &Translator) -> Vec<QuantityList> {
     let reader = Reader {
@@ -304,16 +403,26 @@ pub fn of_drop(drop: &Drop, options: &Options, translator: &Translator) -> Vec<Q
     });
     let per_impact = drop.per_impact.as_ref().ok().map(|result| {
         let mut rows = reader.rows(Method::PerImpact, result, |entry| &entry.per_impact);
-        // The inference is the answer if there is one; this checks it.
-        if posterior.is_some() {
-            for row in &mut rows {
-                row.level = Level::Details;
-            }
+        // It is an answer where no inference was asked for. It checks one that is there, and replaces none that failed.
+        let level = match (posterior, &options.inference) {
+            (Some(_), _) => Level::Details,
+            (None, Some(_)) => Level::More,
+            (None, None) => Level::Headline,
+        };
+        for row in &mut rows {
+            row.level = level;
         }
         rows
     });
     let fit = drop.log_linear_fit.as_ref().ok();
-    let fitted = fit.map(|fit| reader.rows(Method::LogLinearFit, fit, |entry| &entry.fitted));
+    let fitted = fit.map(|fit| {
+        let mut rows = reader.rows(Method::LogLinearFit, fit, |entry| &entry.fitted);
+        // Without the air it is no answer.
+        for row in &mut rows {
+            row.level = row.level.max(Level::More);
+        }
+        rows
+    });
     [
         (Method::Inference, inferred),
         (Method::PerImpact, per_impact),
@@ -332,10 +441,10 @@ pub fn of_drop(drop: &Drop, options: &Options, translator: &Translator) -> Vec<Q
     .collect()
 }
 
-/// The answer of a drop in one line: each headline quantity of the best method with its name.
-pub fn headline(drop: &Drop, options: &Options, translator: &Translator) -> String {
-    let best = of_drop(drop, options, translator).into_iter().next();
-    let rows = best.into_iter().flat_map(|list| list.rows);
+/// The answer of a drop in one line: each headline quantity with its name; empty if there is no answer.
+pub fn in_one_line(drop: &Drop, options: &Options, translator: &Translator) -> String {
+    let lists = of_drop(drop, options, translator).into_iter();
+    let rows = lists.flat_map(|list| list.rows);
     let headline = rows.filter(|row| row.level == Level::Headline);
     let answers = headline.map(|row| format!("{} {}", row.name, row.value));
     answers.collect::<Vec<_>>().join(", ")
@@ -353,16 +462,16 @@ impl Reader<'_> {
         let entries = CATALOGUE.iter();
         let reported = entries.filter(|entry| (entry.is_reported)(self.options));
         let rows = reported.filter_map(|entry| {
-            let By { estimate, note } = by(entry);
-            let estimate = estimate(result)?;
-            let note = note(result, self.translator);
+            let by = by(entry);
+            let estimate = by.of(result)?;
+            let note = (by.note)(result, self.translator);
             let (interval, note) = match method {
                 Method::Inference => self.interval(&estimate, entry.unit, note),
                 Method::PerImpact | Method::LogLinearFit => (None, note),
             };
             Some(Reported {
                 id: entry.id,
-                name: self.translator.text(entry.message),
+                name: self.name(entry, (by.speed_m_s)(result)),
                 symbol: entry.symbol,
                 level: entry.level,
                 value: Quantity::of(&estimate, entry.unit).text(self.translator),
@@ -371,6 +480,17 @@ impl Reader<'_> {
             })
         });
         rows.collect()
+    }
+
+    /// The name of a quantity, with the impact speed at which it holds.
+    fn name(&self, entry: &Entry, speed_m_s: Option<f64>) -> String {
+        let name = self.translator.text(entry.message);
+        let Some(speed_m_s) = speed_m_s else {
+            return name;
+        };
+        let speed = Quantity::rounded(speed_m_s, 3, Unit::Speed);
+        let named = [("quantity", name.into()), ("speed", speed.into())];
+        self.translator.text_with("quantity-at-speed", &named)
     }
 
     /// The height from which a bounce reaches an apex.
@@ -415,16 +535,6 @@ impl Reader<'_> {
         let note = self.translator.in_one_line(iter::once(stated).chain(note));
         (Some(interval), Some(note))
     }
-}
-
-/// The impact speed of the restitution.
-#[expect(
-    clippy::unnecessary_wraps,
-    reason = "notes of other quantities may be missing"
-)]
-fn at_speed(posterior: &Posterior, translator: &Translator) -> Option<String> {
-    let speed = Quantity::rounded(posterior.at_speed_m_s, 3, Unit::Speed);
-    Some(translator.text_with("quantity-at-speed", &[("speed", speed.into())]))
 }
 
 /// How many impacts a median is of, and at which speeds.
@@ -530,10 +640,23 @@ mod tests {
                     assert_eq!(stated, Some(estimate.value), "{}", entry.id);
                 }
             };
-            same("posterior", (entry.inferred.estimate)(posterior));
-            same("per_impact", (entry.per_impact.estimate)(per_impact));
-            same("log_linear_fit", (entry.fitted.estimate)(fit));
+            same("posterior", entry.inferred.of(posterior));
+            same("per_impact", entry.per_impact.of(per_impact));
+            same("log_linear_fit", entry.fitted.of(fit));
         }
+    }
+
+    #[test]
+    fn every_estimate_of_a_drop_has_a_column() {
+        let columns: Vec<String> = tabulated().map(|it| it.name).collect();
+        let estimates = estimates(&drop_of(&options()));
+        assert_eq!(estimates["log_linear_fit_energy_kept"].value.to_bits(), {
+            let fit = drop_of(&options()).log_linear_fit.unwrap();
+            fit.energy_kept.value.to_bits()
+        });
+        // Gravity and the time until rest are among them.
+        assert!(estimates.keys().all(|name| columns.contains(name)));
+        assert_eq!(estimates.len(), columns.len(), "{columns:?}");
     }
 
     #[test]
@@ -577,11 +700,13 @@ mod tests {
     }
 
     #[test]
-    fn the_headline_is_of_the_best_method() {
+    fn one_line_has_the_restitution_with_its_speed_and_the_drop_height() {
         let options = options();
-        let line = headline(&drop_of(&options), &options, &Translator::english());
-        let (restitution, height) = line.split_once(", ").unwrap();
-        assert!(restitution.starts_with("restitution 0.9"), "{line}");
-        assert!(height.starts_with("drop height ") && height.ends_with(" cm"));
+        let line = in_one_line(&drop_of(&options), &options, &Translator::english());
+        let rows: Vec<&str> = line.split(", ").collect();
+        assert!(rows[0].starts_with("restitution at 2.3"), "{line}");
+        assert!(rows[1].starts_with("restitution at 2 m/s 0.9"), "{line}");
+        assert!(rows[2].starts_with("energy kept at 2.3"), "{line}");
+        assert!(rows[3].starts_with("drop height ") && rows[3].ends_with(" cm"));
     }
 }
