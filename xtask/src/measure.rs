@@ -23,9 +23,11 @@ pub(crate) const PROGRAMS: [Program; 7] = [
     },
     Program {
         name: "calibrate",
-        arguments: "[DROPS [FOLDER]] | scenarios [DROPS] [impacts=N] [SCENARIO...] [LAW...]",
+        arguments: "[DROPS [FOLDER]] | scenarios [DROPS] [impacts=N] [SCENARIO...] [LAW...] | \
+                    tape FILE [without=DROP...] [later=MS] [each] | recordings FOLDER",
         about: "Infer DROPS simulated drops for each scenario, print the table, write the ranks into FOLDER; \
-                or for each scenario in which the model is not true",
+                or where the model or what is stated is not true; or real drops against a tape measure; \
+                or recordings without their first impacts",
     },
     Program {
         name: "verdicts",

@@ -26,7 +26,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 
 use crate::scenario::{MAX_IMPACTS, MIN_IMPACTS, REST_M_S, SHORTEST_FLIGHT_S};
-use crate::{Result, misfit, of_seeds, seeded};
+use crate::{Result, misfit, of_seeds, recordings, seeded, tape};
 
 /// What is simulated.
 #[derive(Clone, Copy, PartialEq)]
@@ -294,17 +294,19 @@ fn report(scenario: Scenario, all: &[Ranks]) -> Vec<String> {
     histograms
 }
 
-/// `calibrate [DROPS [FOLDER]]` or `calibrate scenarios ...` ([`misfit`]): prints the table.
+/// `calibrate [DROPS [FOLDER]]`: prints the table; or `calibrate PART ...` of [`misfit`], [`tape`] or [`recordings`].
 ///
 /// # Errors
 ///
-/// If the ranks cannot be written into the folder.
+/// If the ranks cannot be written into the folder, and those of the parts.
 pub fn run(arguments: &[String]) -> Result {
-    if let [first, others @ ..] = arguments
-        && first == "scenarios"
-    {
-        misfit::run(others);
-        return Ok(());
+    if let [part, others @ ..] = arguments {
+        match part.as_str() {
+            "scenarios" => return misfit::run(others),
+            "tape" => return tape::run(others),
+            "recordings" => return recordings::run(others),
+            _ => {}
+        }
     }
     let drops = arguments.first().and_then(|argument| argument.parse().ok());
     println!(

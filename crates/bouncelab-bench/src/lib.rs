@@ -15,11 +15,14 @@ pub mod call;
 pub mod damage;
 pub mod detection;
 pub mod drop_sounds;
+pub mod held;
 pub mod laboratory;
 pub mod misfit;
 pub mod net;
+pub mod recordings;
 pub mod scenario;
 pub mod stated;
+mod tape;
 pub mod verdicts;
 mod world;
 

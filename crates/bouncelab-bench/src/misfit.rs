@@ -16,14 +16,15 @@ use bouncelab::diagnostic::Severity;
 use bouncelab::inference::Posterior;
 use bouncelab::restitution::LawKind;
 use bouncelab::settings::Settings;
-use bouncelab::{Diagnostic, Estimate, Options, analyze, analyze_times};
+use bouncelab::{Diagnostic, Options, analyze, analyze_times};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
+use crate::held::{Held, mean};
 use crate::scenario::{self, MAX_IMPACTS, Scenario};
 use crate::stated::Stated;
 use crate::world::SAMPLE_RATE_HZ;
-use crate::{of_seeds, seeded};
+use crate::{Result, of_seeds, seeded};
 
 /// What is asked: the restitution at the speed that the inference chooses and at that of the first
 /// impact, which no flight shows, the drop height, and the time until rest.
@@ -98,31 +99,6 @@ impl Row {
     }
 }
 
-/// Whether the intervals hold a quantity.
-#[derive(Clone, Copy, Debug)]
-pub struct Held {
-    /// Whether the interval of 68 % does.
-    pub in68: bool,
-    /// Whether the interval of 95 % does.
-    pub in95: bool,
-    /// The relative standard uncertainty.
-    pub relative_sd: f64,
-    /// Deviation from the truth, in standard uncertainties.
-    pub z: f64,
-}
-
-impl Held {
-    fn of(estimate: Estimate, truth: f64) -> Self {
-        let within = |[low, high]: [f64; 2]| low <= truth && truth <= high;
-        Self {
-            in68: within(estimate.interval68),
-            in95: within(estimate.interval95),
-            relative_sd: estimate.sd / truth,
-            z: (estimate.value - truth) / estimate.sd,
-        }
-    }
-}
-
 /// How one drop fared.
 #[derive(Clone, Debug, Default)]
 pub struct Fared {
@@ -176,12 +152,12 @@ fn holds(truth: &Truth, posterior: &Posterior) -> [Option<Held>; QUANTITIES.len(
     let rest = posterior.total_time_s.zip(truth.rest_s);
     [
         Some(Held::of(
-            posterior.restitution,
+            &posterior.restitution,
             (truth.restitution)(posterior.at_speed_m_s),
         )),
-        first.map(|first| Held::of(first, truth.first_restitution)),
-        Some(Held::of(posterior.drop_height_m, truth.height_m)),
-        rest.map(|(estimate, rest_s)| Held::of(estimate, rest_s)),
+        first.map(|first| Held::of(&first, truth.first_restitution)),
+        Some(Held::of(&posterior.drop_height_m, truth.height_m)),
+        rest.map(|(estimate, rest_s)| Held::of(&estimate, rest_s)),
     ]
 }
 
@@ -208,7 +184,7 @@ fn report(name: &str, all: &[Fared]) {
             |is: fn(&Held) -> bool| share(held.iter().filter(|held| is(held)).count(), held.len());
         let mut sds: Vec<f64> = held.iter().map(|held| held.relative_sd).collect();
         sds.sort_by(f64::total_cmp);
-        let mean_z = held.iter().map(|held| held.z).sum::<f64>() / held.len() as f64;
+        let mean_z = mean(held.iter().map(|held| held.z));
         let is_silent = |fared: &&Fared| {
             fared.warnings.is_empty() && fared.of[place].is_some_and(|held| !held.in95)
         };
@@ -250,7 +226,11 @@ fn report_warnings(name: &str, all: &[Fared]) {
 }
 
 /// Prints the table, and which warnings were given to the standard error.
-pub(crate) fn run(arguments: &[String]) {
+///
+/// # Errors
+///
+/// If a word is neither a number nor the name of a scenario or a law.
+pub(crate) fn run(arguments: &[String]) -> Result {
     let drops = arguments.iter().find_map(|word| word.parse().ok());
     let max_impacts = arguments
         .iter()
@@ -258,6 +238,14 @@ pub(crate) fn run(arguments: &[String]) {
         .unwrap_or(MAX_IMPACTS);
     let laws: Vec<LawKind> = arguments.iter().filter_map(|w| w.parse().ok()).collect();
     let mut rows = Row::all();
+    let is_known = |word: &String| {
+        let is_law = word.parse::<LawKind>().is_ok();
+        let is_count = word.starts_with("impacts=") || word.parse::<usize>().is_ok();
+        is_law || is_count || rows.iter().any(|row| word == row.name())
+    };
+    if let Some(word) = arguments.iter().find(|word| !is_known(word)) {
+        return Err(format!("'{word}' is neither a number nor a scenario nor a law").into());
+    }
     let is_named = |row: &Row| arguments.iter().any(|word| word == row.name());
     if rows.iter().any(is_named) {
         rows.retain(is_named);
@@ -272,4 +260,5 @@ pub(crate) fn run(arguments: &[String]) {
         report(row.name(), &all);
         report_warnings(row.name(), &all);
     }
+    Ok(())
 }

@@ -183,7 +183,7 @@ pub(crate) const KINDS: [Kind; 6] = [
     },
     Kind {
         name: "marble",
-        stated: |diameter_m| format!("glass:{diameter_m}"),
+        stated: |diameter_m| format!("marble:{diameter_m}"),
         diameter_m: (14e-3, 25e-3),
         mass_kg: (0.0, 0.0),
         density_kg_m3: Some((2450.0, 2550.0)),

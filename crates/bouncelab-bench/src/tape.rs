@@ -1,0 +1,284 @@
+//! Heights of real drops against a tape measure.
+//!
+//! ```text
+//! cargo xtask calibrate tape FILE [without=DROP]... [later=MS] [each]
+//! ```
+//!
+//! The file is a table of CSV with a row for each drop and these columns:
+//!
+//! | column | content |
+//! |---|---|
+//! | `drop` | name of the drop |
+//! | `ball` | name of the ball, as it is stated to the program |
+//! | `tape_height_cm` | drop height by the tape |
+//! | `flight_1_s`, `flight_2_s`, ... | time from each impact to the next; those that were not measured are empty |
+//!
+//! The drops are those of people who measured them; the project has no copy. A drop is left out only by its name, with
+//! `without=`, and the table says so. With `later=3` each impact is taken to be timed 3 ms later than the one before it was,
+//! as a threshold does that fainter sounds reach later; a contact that lasts as much longer is the same. `each` prints a
+//! line for each drop besides.
+
+use bouncelab::analysis::Drop;
+use bouncelab::regression::height_of_flight_m;
+use bouncelab::settings::{AirSettings, Settings};
+use bouncelab::{Estimate, Options, analyze_times};
+use rayon::prelude::*;
+
+use crate::Result;
+use crate::held::{Held, cells, mean, rms};
+use crate::recordings::of_cut;
+
+/// Standard uncertainty of a height by a ruler that the program assumes, m.
+const RULER_SD_M: f64 = 0.002;
+
+/// A drop as it was measured.
+struct Measured {
+    name: String,
+    ball: String,
+    tape_m: f64,
+    flights_s: Vec<f64>,
+}
+
+/// The heights that follow from the times alone, m.
+struct Found {
+    with_air: Estimate,
+    without_air: Estimate,
+    /// g T1⁴/(8 T2²), which takes the first two impacts to keep the same share.
+    of_two_flights_m: f64,
+    /// Whether the drop without its first impact fell from the apex of its first flight, which needs no tape.
+    without_first: Option<Held>,
+}
+
+/// `calibrate tape FILE [without=DROP]... [later=MS] [each]`: prints the tables.
+///
+/// # Errors
+///
+/// If the file cannot be read, no drop has a name that is to be left out, or a drop cannot be analysed.
+pub(crate) fn run(arguments: &[String]) -> Result {
+    let [file, options @ ..] = arguments else {
+        return Err("usage: calibrate tape FILE [without=DROP]... [later=MS] [each]".into());
+    };
+    let mut drops = read(file)?;
+    for option in options {
+        match option.split_once('=') {
+            Some(("without", name)) => {
+                let place = drops.iter().position(|drop| drop.name == name);
+                drops.remove(place.ok_or_else(|| format!("no drop has the name {name}"))?);
+                println!("Without {name}.");
+            }
+            Some(("later", later_ms)) => {
+                let later_s = later_ms.parse::<f64>()? / 1000.0;
+                let flights = drops.iter_mut().flat_map(|drop| &mut drop.flights_s);
+                flights.for_each(|flight_s| *flight_s -= later_s);
+                println!("Each impact is timed {later_ms} ms later than the one before it.");
+            }
+            None if option == "each" => {}
+            _ => return Err(format!("'{option}' is none of without=DROP, later=MS, each").into()),
+        }
+    }
+    drops.iter().for_each(warn_of_copies);
+    let found: Result<Vec<Found>> = drops.par_iter().map(found).collect();
+    let all: Vec<(&Measured, Found)> = drops.iter().zip(found?).collect();
+    if options.iter().any(|option| option == "each") {
+        for (drop, found) in &all {
+            let Estimate { value, sd, .. } = found.with_air;
+            let z = (value - drop.tape_m) / sd;
+            println!("{}: {value:.4} m ± {sd:.4} m, {z:+.2} sd", drop.name);
+        }
+    }
+    report_coverage(&all);
+    report_offsets(&all);
+    Ok(())
+}
+
+fn read(file: &str) -> Result<Vec<Measured>> {
+    let mut table = csv::Reader::from_path(file)?;
+    let headers = table.headers()?.clone();
+    let column = |name: &str| {
+        let place = headers.iter().position(|header| header == name);
+        place.ok_or_else(|| format!("{file} has no column {name}"))
+    };
+    let (name, ball, tape) = (column("drop")?, column("ball")?, column("tape_height_cm")?);
+    let flights = headers.iter().enumerate();
+    let flights: Vec<usize> = flights
+        .filter(|(_, header)| header.starts_with("flight_"))
+        .map(|(place, _)| place)
+        .collect();
+    let rows = table.records().map(|row| {
+        let row = row?;
+        let cells = flights.iter().map(|&place| &row[place]);
+        let measured = cells.take_while(|cell| !cell.is_empty());
+        Ok(Measured {
+            name: row[name].to_owned(),
+            ball: row[ball].to_owned(),
+            tape_m: row[tape].parse::<f64>()? / 100.0,
+            flights_s: measured
+                .map(str::parse)
+                .collect::<std::result::Result<_, _>>()?,
+        })
+    });
+    rows.collect()
+}
+
+/// No two flights of a ball last equally long to a microsecond.
+fn warn_of_copies(drop: &Measured) {
+    for (place, pair) in drop.flights_s.windows(2).enumerate() {
+        if (pair[0] - pair[1]).abs() < 1e-6 {
+            let (name, number) = (&drop.name, place + 1);
+            println!(
+                "{name}: flights {number} and {} both last {} s.",
+                number + 1,
+                pair[0]
+            );
+        }
+    }
+}
+
+fn found(drop: &Measured) -> Result<Found> {
+    let mut times_s = vec![0.0];
+    for flight_s in &drop.flights_s {
+        times_s.push(times_s[times_s.len() - 1] + flight_s);
+    }
+    let analysed = |settings: &Settings| -> Result<(Drop, Estimate, Options)> {
+        let options = settings.resolve()?.options;
+        let drop_found = analyze_times(&times_s, &options)
+            .drops
+            .pop()
+            .ok_or("it is no drop")?;
+        let posterior = drop_found
+            .posterior
+            .as_ref()
+            .map_err(|reason| format!("{}: {reason}", drop.name))?;
+        let height_m = posterior.drop_height_m;
+        Ok((drop_found, height_m, options))
+    };
+    let settings = Settings::of_ball(&drop.ball);
+    let air = AirSettings {
+        drag: Some("none".to_owned()),
+        ..AirSettings::default()
+    };
+    let (in_air, with_air, options) = analysed(&settings)?;
+    let (_, without_air, _) = analysed(&Settings { air, ..settings })?;
+    let [first_s, second_s] = [drop.flights_s[0], drop.flights_s[1]];
+    Ok(Found {
+        with_air,
+        without_air,
+        of_two_flights_m: height_of_flight_m(first_s, options.environment.gravity_m_s2)
+            * (first_s / second_s).powi(2),
+        without_first: of_cut(&in_air, 1, &options),
+    })
+}
+
+/// The names of the balls in the order of the file, each with its drops, and all.
+fn by_ball<'a>(all: &'a [(&'a Measured, Found)]) -> Vec<(&'a str, Vec<&'a (&'a Measured, Found)>)> {
+    let mut balls: Vec<&str> = all.iter().map(|(drop, _)| drop.ball.as_str()).collect();
+    balls.dedup();
+    let mut groups: Vec<_> = balls
+        .into_iter()
+        .map(|ball| {
+            (
+                ball,
+                all.iter().filter(|(drop, _)| drop.ball == ball).collect(),
+            )
+        })
+        .collect();
+    groups.push(("all", all.iter().collect()));
+    groups
+}
+
+fn report_coverage(all: &[(&Measured, Found)]) {
+    println!(
+        "\n| ball | height by | drops | % in 68 | % in 95 | rms z | mean error, % | rms error, % |"
+    );
+    println!("|---|---|--:|--:|--:|--:|--:|--:|");
+    let groups = by_ball(all);
+    let held = |pick: fn(&Found) -> &Estimate, tape_sd_m: f64| {
+        for (ball, drops) in &groups {
+            let held: Vec<Held> = drops
+                .iter()
+                .map(|(drop, found)| Held::within(pick(found), drop.tape_m, tape_sd_m))
+                .collect();
+            let air = ["the inference", "the same, tape ± 2 mm"][usize::from(tape_sd_m > 0.0)];
+            println!("| {ball} | {air} | {} |", cells(&held));
+        }
+    };
+    held(|found| &found.with_air, 0.0);
+    held(|found| &found.with_air, RULER_SD_M);
+    for (ball, drops) in &groups {
+        let held = drops
+            .iter()
+            .map(|(drop, found)| Held::of(&found.without_air, drop.tape_m));
+        println!(
+            "| {ball} | the inference, without air | {} |",
+            cells(&held.collect::<Vec<_>>())
+        );
+    }
+    for (ball, drops) in &groups {
+        let errors = drops
+            .iter()
+            .map(|(drop, found)| 100.0 * (found.of_two_flights_m / drop.tape_m - 1.0));
+        println!(
+            "| {ball} | g T1⁴/(8 T2²) | {} | | | | {:+.1} | {:.1} |",
+            drops.len(),
+            mean(errors.clone()),
+            rms(errors)
+        );
+    }
+    for (ball, drops) in &groups {
+        let held: Vec<Held> = drops
+            .iter()
+            .filter_map(|(_, found)| found.without_first)
+            .collect();
+        println!(
+            "| {ball} | without the first impact, against flight 1 | {} |",
+            cells(&held)
+        );
+    }
+}
+
+/// How far the heights lie above the tape, for each setting of the tape and each ball.
+fn report_offsets(all: &[(&Measured, Found)]) {
+    println!(
+        "\n| ball | tape, cm | drops | above the tape, mm | standard error, mm | stated sd, mm |"
+    );
+    println!("|---|--:|--:|--:|--:|--:|");
+    for (ball, drops) in by_ball(all) {
+        if ball == "all" {
+            break;
+        }
+        let mut tapes_m: Vec<f64> = drops.iter().map(|(drop, _)| drop.tape_m).collect();
+        tapes_m.dedup();
+        let settings: Vec<[f64; 2]> = tapes_m
+            .iter()
+            .map(|&tape_m| {
+                let of = drops
+                    .iter()
+                    .filter(|(drop, _)| drop.tape_m.total_cmp(&tape_m).is_eq());
+                let above = of
+                    .clone()
+                    .map(|(drop, found)| 1e3 * (found.with_air.value - drop.tape_m));
+                let sds = of.map(|(_, found)| 1e3 * found.with_air.sd);
+                let [offset, error] = mean_and_error(&above.clone().collect::<Vec<_>>());
+                let (count, tape_cm, sd) = (above.count(), 100.0 * tape_m, rms(sds));
+                println!(
+                    "| {ball} | {tape_cm:.0} | {count} | {offset:+.1} | {error:.1} | {sd:.1} |"
+                );
+                [offset, error]
+            })
+            .collect();
+        // The settings differ by more than their drops: each counts once.
+        let offsets: Vec<f64> = settings.iter().map(|[offset, _]| *offset).collect();
+        let [offset, error] = mean_and_error(&offsets);
+        println!(
+            "| {ball} | all | {} | {offset:+.1} | {error:.1} | |",
+            drops.len()
+        );
+    }
+}
+
+/// The mean and its standard error by the scatter of the values.
+fn mean_and_error(values: &[f64]) -> [f64; 2] {
+    let (count, middle) = (values.len() as f64, mean(values.iter().copied()));
+    let squares: f64 = values.iter().map(|value| (value - middle).powi(2)).sum();
+    [middle, (squares / (count - 1.0) / count).sqrt()]
+}
