@@ -149,7 +149,7 @@ fn bad_input_is_answered() {
     for (times, status, words) in [
         ("", 1, "empty"),
         ("1.0\n", 1, "fewer"),
-        ("0.3\n0.86\n", 0, "no restitution of the ball"),
+        ("0.3\n0.86\n", 0, "too few impacts"),
         ("0.3\n0.86\n1.36\n", 0, "a single restitution"),
         ("time_ms\n0\n460\n888\n1285\n1657\n", 0, "cm"),
         ("0.3\n0.86\n0.86\n1.2\n", 1, "0.86"),

@@ -140,7 +140,7 @@ def test_reports_and_answers_are_in_the_language_of_the_reader(times: bl.Recordi
         times.report("pdf")  # type: ignore[arg-type]
     with pytest.raises(bl.UnknownNameError):
         times.report(language="xx")
-    assert "kept" in times._repr_html_() and "<p>" in times.drops[0]._repr_html_()
+    assert "keeps" in times._repr_html_() and "<p>" in times.drops[0]._repr_html_()
 
 
 def test_the_air_slows_a_simulated_ball() -> None:

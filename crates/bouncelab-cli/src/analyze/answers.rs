@@ -17,6 +17,7 @@ pub(super) fn lines(drop: &Drop, physics: &Setup, details: bool) -> Vec<String> 
     let mut lines: Vec<String> = sentences
         .map(|it| it.to_string().replace('\u{a0}', " "))
         .collect();
+    lines.push(String::new());
     let lists = quantities::of_drop(drop, &physics.options, translator());
     let listed = |method: Method, heading: String| listed(&lists, method, heading, details);
     let ball = translator().ball(&physics.ball);

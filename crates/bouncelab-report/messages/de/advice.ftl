@@ -1,7 +1,7 @@
 terminal-advice-impact-gains-energy = Lass ihn von Hand weg (--exclude ZEIT).
 terminal-advice-scatter-exceeds-prior = Die Streuung dieser Fläche nennt --known scatter=2%.
 terminal-advice-contact-overlaps = Die Optionen sind --exclude, --ball und --contact-time.
-terminal-advice-restitution-undetermined = Gib sie mit --height an.
+terminal-advice-restitution-undetermined = Die Option ist --height.
 terminal-advice-ball-floats = Die Option ist --no-buoyancy.
 terminal-advice-rule-needs-reference = Nenne sie nach --reference.
 terminal-advice-rule-needs-height = Gib sie mit --height an.

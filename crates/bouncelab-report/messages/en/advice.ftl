@@ -3,7 +3,7 @@
 terminal-advice-impact-gains-energy = Exclude it with --exclude TIME.
 terminal-advice-scatter-exceeds-prior = State the scatter of this surface with --known scatter=2%.
 terminal-advice-contact-overlaps = The options are --exclude, --ball and --contact-time.
-terminal-advice-restitution-undetermined = State it with --height.
+terminal-advice-restitution-undetermined = The option is --height.
 terminal-advice-ball-floats = The option is --no-buoyancy.
 terminal-advice-rule-needs-reference = Give them after --reference.
 terminal-advice-rule-needs-height = State it with --height.

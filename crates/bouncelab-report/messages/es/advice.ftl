@@ -1,7 +1,7 @@
 terminal-advice-impact-gains-energy = Exclúyalo con --exclude TIME.
 terminal-advice-scatter-exceeds-prior = Indique la dispersión de esta superficie con --known scatter=2%.
 terminal-advice-contact-overlaps = Las opciones son --exclude, --ball y --contact-time.
-terminal-advice-restitution-undetermined = Indíquela con --height.
+terminal-advice-restitution-undetermined = La opción es --height.
 terminal-advice-ball-floats = La opción es --no-buoyancy.
 terminal-advice-rule-needs-reference = Délas después de --reference.
 terminal-advice-rule-needs-height = Indíquela con --height.

@@ -1,7 +1,7 @@
 terminal-advice-impact-gains-energy = Excluez-le avec --exclude TIME.
 terminal-advice-scatter-exceeds-prior = Indiquez la dispersion de cette surface avec --known scatter=2%.
 terminal-advice-contact-overlaps = Les options sont --exclude, --ball et --contact-time.
-terminal-advice-restitution-undetermined = Indiquez-la avec --height.
+terminal-advice-restitution-undetermined = L’option est --height.
 terminal-advice-ball-floats = L’option est --no-buoyancy.
 terminal-advice-rule-needs-reference = Donnez-les après --reference.
 terminal-advice-rule-needs-height = Indiquez-la avec --height.

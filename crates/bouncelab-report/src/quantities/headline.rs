@@ -10,6 +10,7 @@ use bouncelab::settings::Setup;
 use bouncelab::{Diagnostic, Error, Estimate};
 use serde::Serialize;
 
+use super::impact_speed;
 use crate::messages::{Translator, capital};
 use crate::quantity::{Quantity, Unit};
 
@@ -111,14 +112,13 @@ impl Writer<'_> {
     /// The posterior in sentences.
     fn inferred(&self, posterior: &Posterior) -> Vec<Sentence> {
         let share = |estimate: &Estimate| Quantity::of(estimate, Unit::Percent);
-        let speed = |speed_m_s: f64| Quantity::rounded(speed_m_s, 3, Unit::Speed);
         let [slowest_m_s, fastest_m_s] = posterior.fitted_speeds_m_s;
         let kept = [
             ("share", share(&posterior.restitution)),
             ("energy", share(&posterior.energy_kept)),
-            ("speed", speed(posterior.at_speed_m_s)),
-            ("slowest", speed(slowest_m_s)),
-            ("fastest", speed(fastest_m_s)),
+            ("speed", impact_speed(posterior.at_speed_m_s)),
+            ("slowest", impact_speed(slowest_m_s)),
+            ("fastest", impact_speed(fastest_m_s)),
         ];
         let inference = &self.setup.options.inference;
         let asked_m_s = inference.as_ref().and_then(|it| it.at_speed_m_s);
@@ -133,7 +133,10 @@ impl Writer<'_> {
             .zip(posterior.round_speed_restitution);
         let round = round.filter(|&(speed_m_s, _)| !is_constant && Some(speed_m_s) != asked_m_s);
         let round = round.map(|(speed_m_s, restitution)| {
-            let values = [("speed", speed(speed_m_s)), ("share", share(&restitution))];
+            let values = [
+                ("speed", impact_speed(speed_m_s)),
+                ("share", share(&restitution)),
+            ];
             self.sentence("answer-round", &values)
         });
         let height = Quantity::of(&posterior.drop_height_m, Unit::Length);
@@ -157,14 +160,13 @@ impl Writer<'_> {
 
     /// The median of the impacts, which is the answer where no inference was asked for.
     fn median(&self, per_impact: &PerImpact) -> Option<Sentence> {
-        let speed = |speed_m_s: f64| Quantity::rounded(speed_m_s, 3, Unit::Speed);
         let values = [
             (
                 "share",
                 Quantity::of(&per_impact.restitution?, Unit::Percent),
             ),
-            ("slowest", speed(per_impact.slowest_m_s?)),
-            ("fastest", speed(per_impact.fastest_m_s?)),
+            ("slowest", impact_speed(per_impact.slowest_m_s?)),
+            ("fastest", impact_speed(per_impact.fastest_m_s?)),
         ];
         Some(self.sentence("answer-median", &values))
     }

@@ -488,7 +488,7 @@ impl Reader<'_> {
         let Some(speed_m_s) = speed_m_s else {
             return name;
         };
-        let speed = Quantity::rounded(speed_m_s, 3, Unit::Speed);
+        let speed = impact_speed(speed_m_s);
         let named = [("quantity", name.into()), ("speed", speed.into())];
         self.translator.text_with("quantity-at-speed", &named)
     }
@@ -535,6 +535,12 @@ impl Reader<'_> {
         let note = self.translator.in_one_line(iter::once(stated).chain(note));
         (Some(interval), Some(note))
     }
+}
+
+/// An impact speed: a round one by its single digit.
+fn impact_speed(speed_m_s: f64) -> Quantity {
+    let is_round = !format!("{speed_m_s:e}").contains('.');
+    Quantity::rounded(speed_m_s, if is_round { 1 } else { 3 }, Unit::Speed)
 }
 
 /// How many impacts a median is of, and at which speeds.
