@@ -148,7 +148,7 @@ describe('the same document as the command line', () => {
     const { impacts = [], probability = 0 } = found.drops[0] ?? {};
     const gone = impacts[4]?.time_s ?? 0;
     const added = (impacts.at(-1)?.time_s ?? 0) + 0.03;
-    const unknown = { time_sd_s: null, level_db: null, quiet_before_s: null };
+    const unknown = { time_sd_s: null, level_db: null, quiet_before_s: null, ln_alike: null };
     const byHand = { number: 0, time_s: added, probability: 1, ...unknown };
     const edited = impacts.filter((_, index) => index !== 4).concat(byHand);
     const drops = [{ impacts: edited, probability, edited: true }];

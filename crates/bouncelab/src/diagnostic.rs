@@ -270,6 +270,8 @@ codes! {
     ScatterExceedsPrior = "scatter-exceeds-prior", Warning, ["relative_sd", "assumed_relative_sd"];
     /// The measured height contradicts the flight times.
     HeightContradictsTimes = "height-contradicts-times", Warning, ["measured_m", "detected_m", "gravity_m_s2"];
+    /// The first impact may be another sound or of an earlier drop: with which probability, and from where the ball fell then.
+    FirstImpactDoubtful = "first-impact-doubtful", Warning, ["time_s", "probability", "height_m"];
     /// The stated release contradicts the times: how long before the first impact it was, and how long the ball fell.
     ReleaseContradictsTimes = "release-contradicts-times", Warning, ["stated_s", "detected_s"];
     /// Impacts before the first one detected were missed.

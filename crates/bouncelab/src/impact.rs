@@ -29,6 +29,10 @@ pub struct Impact {
     /// was detected in sound. An impact as loud in this time would have been detected.
     #[cfg_attr(feature = "serde", serde(default))]
     pub quiet_before_s: Option<f64>,
+    /// Natural logarithm of how much more probable its level and spectrum are if it is an impact of this ball than if it is
+    /// any other sound; known for the first impact of a drop that was detected in sound.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub ln_alike: Option<f64>,
 }
 
 impl Impact {
@@ -41,6 +45,7 @@ impl Impact {
             probability: 1.0,
             level_db: None,
             quiet_before_s: None,
+            ln_alike: None,
         }
     }
 

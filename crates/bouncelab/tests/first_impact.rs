@@ -1,6 +1,6 @@
 //! What was stated of the fall, and the first impact, held against the sound.
 
-use bouncelab::analysis::{Options, analyze};
+use bouncelab::analysis::{Options, analyze, analyze_impacts, analyze_times, impacts_of_times};
 use bouncelab::demo;
 use bouncelab::diagnostic::{Code, Diagnostic};
 use bouncelab::drop::{self, Start, Stop};
@@ -11,7 +11,8 @@ use bouncelab::synth::{self, Noise, Rendered, Scene};
 
 /// The ball of the demonstration, and few draws.
 fn options() -> Options {
-    let options = demo::settings().resolve().unwrap().options;
+    let mut options = demo::settings().resolve().unwrap().options;
+    options.flights = None;
     options.with_sampler(SamplerConfig {
         draws: 300,
         seed: 1,
@@ -35,6 +36,17 @@ fn impacts(height_m: f64) -> Vec<ImpactEvent> {
     let (start, stop) = (Start::Height(height_m), Stop::below(5e-4));
     let history = drop::simulate(&options.model().unwrap(), &contact, start, stop).unwrap();
     history.impact_events().collect()
+}
+
+/// Times of the impacts of a drop from 40 cm, and of a sound this long before them; with errors of some 20 µs.
+fn times_after_another(before_s: f64) -> Vec<f64> {
+    let times_s = impacts(0.40).into_iter().map(|impact| impact.time_s);
+    let times_s = times_s
+        .take(20)
+        .enumerate()
+        .map(|(number, time_s)| time_s + 3e-5 * (1.7 * number as f64 * number as f64).sin());
+    let times_s: Vec<f64> = times_s.collect();
+    [times_s[0] - before_s].into_iter().chain(times_s).collect()
 }
 
 /// They begin this long after the beginning of the recording, less the fall.
@@ -124,4 +136,119 @@ fn a_height_that_needs_an_impact_where_it_was_loud_is_believed() {
     let found = posterior(&samples, sound.sample_rate_hz, &stated(0.70));
     assert!(found.missed_first_impacts.as_ref().unwrap()[1] > 0.9);
     assert!(named(&found, Code::HeightContradictsTimes).is_none());
+}
+
+/// A sound where the first impact of a slightly odd drop might be: both are possible, and the interval contains both.
+#[test]
+fn a_first_flight_that_fits_badly_is_doubted() {
+    for before_s in [0.52, 0.60, 0.68] {
+        let result = analyze_times(&times_after_another(before_s), &options());
+        let found = result.drops[0].posterior.as_ref().unwrap();
+        let doubt = named(found, Code::FirstImpactDoubtful).unwrap();
+        let probability = found.first_is_other_sound;
+        assert!(
+            (0.3..0.99).contains(&probability),
+            "{before_s}: {probability}"
+        );
+        assert_eq!(doubt.number("probability"), Some(probability));
+        let without_m = doubt.number("height_m").unwrap();
+        assert!((without_m - 0.40).abs() < 0.02, "{before_s}: {without_m}");
+        let [low, high] = found.drop_height_m.interval95;
+        assert!(low < 0.40 && 0.40 < high, "{before_s}: {low} {high}");
+    }
+}
+
+/// A sound where no first impact could be is left out, with the flight from it.
+#[test]
+fn a_first_flight_that_cannot_be_is_left_out() {
+    let result = analyze_times(&times_after_another(0.9), &options());
+    let drop = &result.drops[0];
+    let found = drop.posterior.as_ref().unwrap();
+    assert!(found.first_is_other_sound > 0.99);
+    assert!(named(found, Code::FirstImpactDoubtful).is_some());
+    let height = found.drop_height_m;
+    assert!((height.value - 0.40).abs() < 3.0 * height.sd, "{height:?}");
+    assert!(height.sd < 0.02, "{height:?}");
+    let first = drop.impacts[1].number;
+    assert_eq!(found.first_impact(), first);
+    assert!(found.impact(drop.impacts[0].number).is_none());
+    assert!(found.impact(first).unwrap().restitution.is_some());
+    let in_fit = drop.flights.iter().filter(|flight| flight.in_fit);
+    assert!(in_fit.map(|flight| flight.number).min() >= Some(first));
+}
+
+#[test]
+fn a_first_flight_that_fits_is_not_doubted() {
+    let times_s = times_after_another(0.6);
+    let result = analyze_times(&times_s[1..], &options());
+    let found = result.drops[0].posterior.as_ref().unwrap();
+    assert!(found.first_is_other_sound < 1e-3);
+    assert!(named(found, Code::FirstImpactDoubtful).is_none());
+    // Nor is another where the reader knows.
+    let mut options = options();
+    options.priors.first_was_detected = true;
+    let result = analyze_times(&times_s, &options);
+    let found = result.drops[0].posterior.as_ref().unwrap();
+    assert!(named(found, Code::FirstImpactDoubtful).is_none());
+}
+
+/// The less it sounds like the others, the more.
+#[test]
+fn a_first_impact_that_sounds_unlike_the_others_is_doubted_more() {
+    let probability = |ln_alike: Option<f64>| {
+        let mut impacts = impacts_of_times(&times_after_another(0.6));
+        impacts[0].ln_alike = ln_alike;
+        let found = analyze_impacts(impacts, &options()).posterior.unwrap();
+        found.first_is_other_sound
+    };
+    let [alike, unknown, unlike] = [Some(2.9), None, Some(-3.0)].map(probability);
+    assert!(
+        alike < unknown && unknown < unlike,
+        "{alike} {unknown} {unlike}"
+    );
+}
+
+/// The recording of a drop from 40 cm whose first impact comes 1.575 s after its beginning, and a sound after 1 s.
+fn recorded_after(other: Option<ImpactEvent>) -> Rendered {
+    let drop = impacts(0.40);
+    let after = drop.iter().map(|impact| ImpactEvent {
+        time_s: impact.time_s - drop[0].time_s + 0.575,
+        ..*impact
+    });
+    let all: Vec<ImpactEvent> = other.into_iter().chain(after).collect();
+    recorded(&all, 1.0)
+}
+
+/// The last impact of an earlier drop comes where the first of this one might be, and sounds like it.
+#[test]
+fn the_last_impact_of_an_earlier_drop_is_doubted() {
+    let sound = recorded_after(Some(ImpactEvent {
+        time_s: 0.0,
+        speed_m_s: 2.0,
+    }));
+    let found = posterior(&sound.samples, sound.sample_rate_hz, &options());
+    assert_eq!(
+        found.impacts.first().map(|impact| impact.number),
+        Some(found.first_impact())
+    );
+    assert!(named(&found, Code::FirstImpactDoubtful).is_some());
+    assert!(found.first_is_other_sound > 0.3);
+    let [low, high] = found.drop_height_m.interval95;
+    assert!(low < 0.40 && 0.40 < high, "{low} {high}");
+}
+
+/// A click there, which sounds unlike them, is none of the impacts.
+#[test]
+fn a_click_before_the_drop_does_not_change_its_height() {
+    let mut sound = recorded_after(None);
+    let rate_hz = f64::from(sound.sample_rate_hz);
+    for (number, sample) in (0_u32..2000).zip(&mut sound.samples[rate_hz as usize..]) {
+        let time_s = f64::from(number) / rate_hz;
+        let wave = (std::f64::consts::TAU * 700.0 * time_s).sin();
+        *sample += (0.5 * (-time_s / 0.004).exp() * wave) as f32;
+    }
+    let found = posterior(&sound.samples, sound.sample_rate_hz, &options());
+    let height = found.drop_height_m;
+    assert!((height.value - 0.40).abs() < 3.0 * height.sd, "{height:?}");
+    assert!(height.sd < 0.02, "{height:?}");
 }

@@ -42,8 +42,9 @@ async function snapped(timeS: number): Promise<Partial<Mark>> {
         timeSdS: found.time_sd_s,
         levelDb: found.level_db,
         quietBeforeS: null,
+        lnAlike: null,
       }
-    : { timeS, quietBeforeS: null };
+    : { timeS, quietBeforeS: null, lnAlike: null };
 }
 
 export async function add(timeS: number): Promise<void> {

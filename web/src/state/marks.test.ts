@@ -19,6 +19,7 @@ const detected = [1, 2, 4].map((number) => ({
   probability: 0.98,
   level_db: -20,
   quiet_before_s: null,
+  ln_alike: null,
 }));
 
 test('what no hand touched goes to the engine as it was detected, gaps in the numbers included', () => {

@@ -15,6 +15,7 @@ export function marksOf(impacts: readonly Impact[]): readonly Mark[] {
     timeSdS: impact.time_sd_s,
     levelDb: impact.level_db,
     quietBeforeS: impact.quiet_before_s,
+    lnAlike: impact.ln_alike,
     number: impact.number,
   }));
 }
@@ -23,7 +24,7 @@ export const editsOf = (impacts: readonly Impact[]): Edits => begin(marksOf(impa
 
 /** A mark that a hand sets. */
 export function markAt(timeS: number): Mark {
-  const unknown = { timeSdS: null, levelDb: null, quietBeforeS: null, number: null };
+  const unknown = { timeSdS: null, levelDb: null, quietBeforeS: null, lnAlike: null, number: null };
   return { id: nextId++, timeS, probability: 1, ...unknown };
 }
 
@@ -63,6 +64,7 @@ export function forEngine(edits: Edits, probability: number): DropMarks {
       probability: mark.probability,
       level_db: mark.levelDb,
       quiet_before_s: mark.quietBeforeS,
+      ln_alike: mark.lnAlike,
     })),
   };
 }

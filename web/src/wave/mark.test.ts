@@ -8,6 +8,7 @@ const marks: Mark[] = [0.5, 1, 1.2].map((timeS, id) => ({
   timeSdS: null,
   levelDb: null,
   quietBeforeS: null,
+  lnAlike: null,
   number: null,
 }));
 

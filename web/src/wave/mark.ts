@@ -10,6 +10,8 @@ export interface Mark {
   readonly levelDb: number | null;
   /** How long nothing as loud was heard before it, s; known for the first impact detected. */
   readonly quietBeforeS: number | null;
+  /** Logarithm of how much more it sounds like this ball than like any other sound; known for the first impact detected. */
+  readonly lnAlike: number | null;
   /** Its number as detected; a missed impact leaves a gap. */
   readonly number: number | null;
 }

@@ -88,6 +88,7 @@ diagnostic-impacts-odd = { $count ->
   }
 diagnostic-scatter-exceeds-prior = Die Stoßzahl streut von Aufprall zu Aufprall um etwa { $relative_sd } %, mehr als die angenommenen { $assumed_relative_sd } %: Die Intervalle können zu schmal sein.
 diagnostic-height-contradicts-times = Die angegebene Höhe von { $measured_m } widerspricht den Aufprallen, aus denen ein Fall aus { $detected_m } folgt; sie wird nicht verwendet. Beides stimmte bei einer Fallbeschleunigung von { $gravity_m_s2 }. Falsche Höhe, falscher Ball oder falsche Abtastrate?
+diagnostic-first-impact-doubtful = Der erste Aufprall, bei { $time_s } s, passt schlecht zu den anderen: Mit der Wahrscheinlichkeit { $probability } ist er ein anderes Geräusch oder gehört zu einem früheren Fall, und der Ball fiel aus { $height_m } Höhe.
 diagnostic-release-contradicts-times = Das angegebene Loslassen, { $stated_s } s vor dem ersten Aufprall, widerspricht den Aufprallen, aus denen ein Fall von { $detected_s } s folgt; es wird nicht verwendet.
 diagnostic-first-impacts-missed = Mit der Wahrscheinlichkeit { $probability } fehlen Aufpralle vor dem ersten erkannten.
 diagnostic-other-ball-fits-better = Diese Zeiten passen besser zu einem anderen Ball, mindestens { $odds } zu 1: { $balls }.

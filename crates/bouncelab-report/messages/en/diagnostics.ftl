@@ -91,6 +91,7 @@ diagnostic-impacts-odd = { $count ->
   }
 diagnostic-scatter-exceeds-prior = Restitution scatters by about { $relative_sd } % from impact to impact, more than the { $assumed_relative_sd } % that are assumed: the intervals may be too narrow.
 diagnostic-height-contradicts-times = The stated height of { $measured_m } contradicts the impacts, which indicate a fall from { $detected_m }; it is not used. Both would agree with a gravity of { $gravity_m_s2 }. The height, the ball or the sample rate may be wrong.
+diagnostic-first-impact-doubtful = The first impact, at { $time_s } s, fits the others badly: with probability { $probability } it is another sound, or of an earlier drop, and the ball fell from { $height_m }.
 diagnostic-release-contradicts-times = The stated release, { $stated_s } s before the first impact, contradicts the impacts, which indicate a fall of { $detected_s } s; it is not used.
 diagnostic-first-impacts-missed = Impacts before the first one detected were missed, with probability { $probability }.
 diagnostic-other-ball-fits-better = These times fit another ball better, at least { $odds } to 1: { $balls }.

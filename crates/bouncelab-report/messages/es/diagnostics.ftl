@@ -85,6 +85,7 @@ diagnostic-impacts-odd = { $count ->
   }
 diagnostic-scatter-exceeds-prior = La restitución varía alrededor de un { $relative_sd } % de un impacto a otro, más que el { $assumed_relative_sd } % supuesto: los intervalos pueden ser demasiado estrechos.
 diagnostic-height-contradicts-times = La altura indicada de { $measured_m } contradice los impactos, que indican una caída desde { $detected_m }; no se utiliza. Ambas concordarían con una gravedad de { $gravity_m_s2 }. La altura, la pelota o la frecuencia de muestreo puede ser errónea.
+diagnostic-first-impact-doubtful = El primer impacto, a los { $time_s } s, concuerda mal con los demás: con probabilidad { $probability } es otro sonido, o de una caída anterior, y la pelota cayó desde { $height_m }.
 diagnostic-release-contradicts-times = El momento de soltar indicado, { $stated_s } s antes del primer impacto, contradice los impactos, que indican una caída de { $detected_s } s; no se utiliza.
 diagnostic-first-impacts-missed = Se perdieron impactos antes del primero detectado, con probabilidad { $probability }.
 diagnostic-other-ball-fits-better = Estos tiempos se ajustan mejor a otra pelota, al menos { $odds } a 1: { $balls }.

@@ -85,6 +85,7 @@ diagnostic-impacts-odd = { $count ->
   }
 diagnostic-scatter-exceeds-prior = La restitution varie d’environ { $relative_sd } % d’un impact à l’autre, plus que les { $assumed_relative_sd } % supposés : les intervalles peuvent être trop étroits.
 diagnostic-height-contradicts-times = La hauteur indiquée de { $measured_m } contredit les impacts, qui indiquent une chute de { $detected_m } ; elle n’est pas utilisée. Les deux s’accorderaient avec une pesanteur de { $gravity_m_s2 }. La hauteur, la balle ou la fréquence d’échantillonnage est peut-être fausse.
+diagnostic-first-impact-doubtful = Le premier impact, à { $time_s } s, s’accorde mal avec les autres : avec une probabilité de { $probability }, c’est un autre bruit, ou il vient d’une chute précédente, et la balle est tombée de { $height_m }.
 diagnostic-release-contradicts-times = Le lâcher indiqué, { $stated_s } s avant le premier impact, contredit les impacts, qui indiquent une chute de { $detected_s } s ; il n’est pas utilisé.
 diagnostic-first-impacts-missed = Des impacts avant le premier détecté ont été manqués, avec une probabilité de { $probability }.
 diagnostic-other-ball-fits-better = Ces temps conviennent mieux à une autre balle, à au moins { $odds } contre 1 : { $balls }.

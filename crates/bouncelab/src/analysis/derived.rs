@@ -94,7 +94,12 @@ impl Drop {
             found.restitution_slope.value,
         )?;
         let contact = Contact::new(law, options.contact_time_s)?;
-        let bounces = self.impacts.last().map_or(1, |last| last.number);
+        let mut impacts = self.impacts.iter();
+        let Some(first) = impacts.find(|impact| impact.number == found.first_impact()) else {
+            return Ok(Vec::new());
+        };
+        let last = impacts.next_back().unwrap_or(first);
+        let bounces = last.number + 1 - first.number;
         let start = Start::Height(found.drop_height_m.value);
         let missed = found
             .missed_first_impacts
@@ -104,7 +109,7 @@ impl Drop {
         let history = drop::simulate(&options.model()?, &contact, start, stop)?;
         // The first impact that was detected is at the time at which it was detected.
         let first_s = history.bounces().get(missed).map_or(0.0, |b| b.time_s);
-        let shift_s = self.impacts.first().map_or(0.0, |first| first.time_s) - first_s;
+        let shift_s = first.time_s - first_s;
         let end_s = history.total_time_s();
         let points = POINTS * (bounces + missed);
         let points = (0..=points).map(|point| {

@@ -307,6 +307,7 @@ impl From<&TrainImpact> for Impact {
             probability: detected.probability,
             level_db: Some(detected.onset.level_db),
             quiet_before_s: None,
+            ln_alike: None,
         }
     }
 }
@@ -385,7 +386,9 @@ pub fn renumbered(mut impacts: Vec<Impact>) -> Vec<Impact> {
 pub fn analyze_impacts(impacts: Vec<Impact>, options: &Options) -> Drop {
     let (flying, too_close) = contact::flying(&impacts, options.contact_time_s);
     let per_impact = per_impact(flying, options);
-    let flights = flights(&impacts, options, per_impact.as_ref().ok());
+    let posterior = posterior(flying, options);
+    let first = posterior.as_ref().map_or(0, Posterior::first_impact);
+    let flights = flights(&impacts, options, per_impact.as_ref().ok(), first);
     let in_fit: Vec<NumberedFlight> = flights
         .iter()
         .filter(|flight| flight.in_fit)
@@ -395,7 +398,6 @@ pub fn analyze_impacts(impacts: Vec<Impact>, options: &Options) -> Drop {
         })
         .collect();
     let log_linear_fit = regression::fit(&in_fit, options.environment.gravity_m_s2);
-    let posterior = posterior(flying, options);
     let mut diagnostics = diagnostics(&impacts, &flights, per_impact.as_ref().ok());
     diagnostics.extend(too_close);
     match &posterior {
@@ -420,10 +422,12 @@ pub fn analyze_impacts(impacts: Vec<Impact>, options: &Options) -> Drop {
     drop
 }
 
+/// The flights. Those before the first impact of the drop, by its number, are not in the log-linear fit.
 fn flights(
     impacts: &[Impact],
     options: &Options,
     per_impact: Option<&PerImpact>,
+    first: usize,
 ) -> Vec<MeasuredFlight> {
     let certain = |pair: &[Impact]| {
         let mut impacts = pair.iter();
@@ -444,7 +448,7 @@ fn flights(
             let gravity_m_s2 = options.environment.gravity_m_s2;
             let in_fit = match &options.flights {
                 Some(range) => range.contains(&number),
-                None => !enough || certain(pair),
+                None => number >= first && (!enough || certain(pair)),
             };
             let modelled = modelled(number);
             MeasuredFlight {

@@ -290,6 +290,7 @@ impl DropCandidate {
     fn detected(train: &Train, envelope: &Envelope) -> Self {
         let mut impacts: Vec<Impact> = train.impacts().iter().map(Impact::from).collect();
         impacts[0].quiet_before_s = Some(envelope.quiet_before_s(train.start_s()));
+        impacts[0].ln_alike = Some(train.ln_alike());
         Self {
             impacts,
             probability: train.probability(),

@@ -134,6 +134,7 @@ impl Answers {
             total_time_s: Estimate::of_draws(rest.iter().map(|rest| rest.time_s)),
             total_path_m: Estimate::of_draws(rest.iter().map(|rest| rest.path_m)),
             missed_first_impacts: missed_first(&posterior),
+            first_is_other_sound: other_sound(&posterior),
             predictions: predictions(&posterior, &inference.reach),
             impacts: detected(&posterior, &drops, &innovations, &weights),
             models: self.models(&posterior),
@@ -297,6 +298,13 @@ fn predictions(posterior: &SampledPosterior, reach: &[ApexTarget]) -> Vec<Predic
         .collect()
 }
 
+/// Probability that the first impact detected is another sound.
+fn other_sound(posterior: &SampledPosterior) -> f64 {
+    let left_out = posterior.left_out.first();
+    let probability = left_out.and_then(|it| it.number("probability"));
+    probability.unwrap_or_else(|| posterior.first_is_other_sound())
+}
+
 /// Probabilities of numbers of missed impacts, if a height or a release determines them.
 fn missed_first(posterior: &SampledPosterior) -> Option<Vec<f64>> {
     if !posterior.priors.determine_missed() {
@@ -355,6 +363,7 @@ fn detected(
         .unwrap_or(posterior.ball.mass_kg());
     let intervals = &posterior.observed().intervals;
     let impacts = posterior.observed().impacts.iter().enumerate();
+    let left_out = usize::from(posterior.observed().other_sound.is_some());
     impacts
         .filter_map(|(index, impact)| {
             let launches = intervals.get(index).is_some();
@@ -362,23 +371,33 @@ fn detected(
             let innovation = innovation_of(innovations, intervals.len(), index);
             let energy =
                 |faster: f64, slower: f64| 0.5 * mass_kg * (faster * faster - slower * slower);
-            let when = |possible: bool, value: &dyn Fn(&DropState) -> f64| {
+            // A drop without the first impact detected has no state of it.
+            let index_in =
+                |drop: &DrawnDrop| (index + left_out).checked_sub(usize::from(drop.without_first));
+            let when = |possible: bool, value: &dyn Fn(&DropState, usize) -> f64| {
+                let values = drops
+                    .iter()
+                    .filter_map(|drop| Some(value(&drop.state, index_in(drop)?)));
                 if possible {
-                    Estimate::of_draws(drops.iter().map(|drop| value(&drop.state)))
+                    Estimate::of_draws(values)
                 } else {
                     None
                 }
             };
-            let before = |state: &DropState| state.impact_speeds[index];
-            let after = |state: &DropState| state.launch_speeds[index];
+            let before = |state: &DropState, index: usize| state.impact_speeds[index];
+            let after = |state: &DropState, index: usize| state.launch_speeds[index];
             Some(ImpactPosterior {
                 number: impact.number,
                 impact_speed_m_s: when(true, &before)?,
-                restitution: when(launches, &|state| after(state) / before(state)),
-                apex_m: when(launches, &|state| state.apexes_m[index]),
-                lost_to_surface_j: when(launches, &|state| energy(before(state), after(state))),
-                lost_to_air_j: when(single, &|state| {
-                    energy(after(state), state.impact_speeds[index + 1])
+                restitution: when(launches, &|state, index| {
+                    after(state, index) / before(state, index)
+                }),
+                apex_m: when(launches, &|state, index| state.apexes_m[index]),
+                lost_to_surface_j: when(launches, &|state, index| {
+                    energy(before(state, index), after(state, index))
+                }),
+                lost_to_air_j: when(single, &|state, index| {
+                    energy(after(state, index), before(state, index + 1))
                 }),
                 standardised_residual: innovation.map(|i| i.standardised),
                 weight: weights[index],

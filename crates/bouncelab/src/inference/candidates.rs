@@ -6,7 +6,7 @@ use super::medium::Medium;
 use super::numbering;
 use super::observed::Observed;
 use super::parameters::{
-    DRAG_COEFFICIENT_STEPS, LN_MISSED_FIRST, LN_UNHEARD, MAX_MISSED_FIRST, PRUNE_BELOW,
+    DRAG_COEFFICIENT_STEPS, LN_MISSED_FIRST, LN_UNHEARD, MAX_MISSED_FIRST, OTHER_FIRST, PRUNE_BELOW,
 };
 use super::pool::{Pool, SamplerConfig};
 use super::priors::Priors;
@@ -73,6 +73,10 @@ pub(super) struct SampledPosterior {
     pub(super) candidates: Vec<Candidate>,
     /// What was stated of the fall, contradicts the times or the sound, and is left out.
     pub(super) contradictions: Vec<Diagnostic>,
+    /// What was left out before the first impact, as another sound.
+    pub(super) left_out: Vec<Diagnostic>,
+    /// See [`Self::ln_odd_second`].
+    ln_odd_second: f64,
     pub(super) draws: Pool,
 }
 
@@ -93,6 +97,14 @@ impl SampledPosterior {
     ) -> Result<Self> {
         let mut posterior =
             Self::fitted_to_what_holds(impacts, ball, environment, contact_time_s, priors)?;
+        if posterior.first_is_other_sound() > OTHER_FIRST
+            && let Some(doubt) = posterior.doubt()
+        {
+            let rest = &impacts[1..];
+            let mut rest = Self::new(rest, ball, environment, contact_time_s, priors, sampler)?;
+            rest.left_out.insert(0, doubt);
+            return Ok(rest);
+        }
         posterior.sample(sampler);
         Ok(posterior)
     }
@@ -141,8 +153,14 @@ impl SampledPosterior {
                 priors,
             )?);
         }
-        let numberings = numbering::plausible(&observed).into_iter();
-        let numberings = numberings.map(|observed| Numbering {
+        let mut numberings = numbering::plausible(&observed);
+        if !priors.first_was_detected {
+            for with_first in 0..numberings.len() {
+                let without = numberings[with_first].without_first();
+                numberings.extend(without.filter(|without| !numberings.contains(without)));
+            }
+        }
+        let numberings = numberings.into_iter().map(|observed| Numbering {
             flights: media
                 .iter()
                 .map(|medium| TimedFlights::new(&observed, medium))
@@ -158,10 +176,13 @@ impl SampledPosterior {
             environment: *environment,
             candidates: Vec::new(),
             contradictions: Vec::new(),
+            left_out: Vec::new(),
+            ln_odd_second: 0.0,
             draws: Pool::default(),
         };
         posterior.keep_likely_numberings();
         posterior.candidates = posterior.fitted();
+        posterior.weigh_odd_second();
         if posterior.candidates.is_empty() {
             return Err(Error::CannotInfer(InferenceFailure::NoModelFits));
         }
@@ -219,7 +240,18 @@ impl SampledPosterior {
         )
     }
 
-    /// Removes numberings that are unlikely under the first law, which represents all.
+    /// Adds to the candidates with the first impact that the second may be odd.
+    fn weigh_odd_second(&mut self) {
+        self.ln_odd_second = self.ln_odd_second();
+        for index in 0..self.candidates.len() {
+            if !self.leaves_out_first(&self.candidates[index]) {
+                self.candidates[index].log_evidence += self.ln_odd_second;
+            }
+        }
+    }
+
+    /// Removes numberings that are unlikely under the first law, which represents all. Of those with the first impact the
+    /// likeliest stay: where that fits badly, the second may be odd.
     fn keep_likely_numberings(&mut self) {
         if self.numberings.len() == 1 {
             return;
@@ -232,12 +264,23 @@ impl SampledPosterior {
                 best_evidence(&fits)
             })
             .collect();
-        let best = evidences.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let best = |with_first: bool| {
+            let numbered = self.numberings.iter().zip(&evidences);
+            let counted =
+                numbered.filter(|(it, _)| !with_first || it.observed.other_sound.is_none());
+            counted
+                .map(|(_, evidence)| *evidence)
+                .fold(f64::NEG_INFINITY, f64::max)
+        };
+        let (best, best_with_first) = (best(false), best(true));
         let mut evidences = evidences.into_iter();
         // If none is valid under this law, each may be under another.
-        self.numberings.retain(|_| {
-            let evidence = evidences.next();
-            evidence.is_none_or(|evidence| evidence >= best - PRUNE_BELOW)
+        self.numberings.retain(|numbering| {
+            let least = match numbering.observed.other_sound {
+                None => best_with_first - PRUNE_BELOW,
+                Some(_) => best - PRUNE_BELOW,
+            };
+            evidences.next().is_none_or(|evidence| evidence >= least)
         });
     }
 
@@ -371,9 +414,14 @@ impl SampledPosterior {
 
     /// Logarithm of the prior probability of a candidate, but for a constant.
     pub(super) fn log_prior(&self, candidate: &Candidate) -> f64 {
+        let observed = &self.numberings[candidate.numbering].observed;
         candidate.missed_first as f64 * LN_MISSED_FIRST
             + self.unheard(candidate) as f64 * LN_UNHEARD
-            + self.numberings[candidate.numbering].observed.missed() as f64 * LN_MISSED
+            + observed.missed() as f64 * LN_MISSED
+            + match observed.other_sound {
+                None => self.ln_odd_second,
+                Some(_) => observed.ln_other_sound(),
+            }
     }
 
     /// Frees the memory of the flights, which is that of the draws again; they are computed anew when they are needed.

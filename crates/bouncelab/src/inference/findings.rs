@@ -44,6 +44,8 @@ pub(super) fn diagnostics(
                 .with("impacts", outliers.as_slice()),
         );
     }
+    diagnostics.extend(posterior.left_out.iter().cloned());
+    diagnostics.extend(posterior.doubt());
     diagnostics.extend(posterior.contradictions.iter().cloned());
     diagnostics.extend(missed_first(posterior));
     diagnostics

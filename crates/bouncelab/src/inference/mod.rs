@@ -47,6 +47,7 @@ mod banded;
 mod budget;
 mod candidates;
 mod findings;
+mod first_impact;
 mod fit;
 mod identify;
 mod likelihood;

@@ -22,6 +22,8 @@ pub(super) struct Observed {
     pub(super) sigma_s: Vec<f64>,
     /// Whether the standard errors were given.
     pub(super) sigma_stated: bool,
+    /// The first impact detected, if it is left out as another sound.
+    pub(super) other_sound: Option<Impact>,
 }
 
 impl Observed {
@@ -52,6 +54,7 @@ impl Observed {
             intervals,
             sigma_s: sigma_s.into_iter().map(|s| s.max(MIN_TIME_SD_S)).collect(),
             sigma_stated,
+            other_sound: None,
         })
     }
 

@@ -202,6 +202,34 @@ pub(super) const LN_UNHEARD: f64 = -7.0;
 /// Maximum number of impacts missed before the first one detected. They are the loudest.
 pub(super) const MAX_MISSED_FIRST: usize = 12;
 
+// ---- Whether the first impact belongs to the drop.
+
+/// Logarithm of the probability that the first impact detected is another sound: one in a hundred.
+pub(super) const LN_OTHER_SOUND: f64 = -4.6;
+
+/// Share of these sounds that are impacts of the same ball, such as of an earlier drop, and sound like it.
+pub(super) const OTHER_SOUND_ALIKE: f64 = 0.5;
+
+/// Logarithm of the range of their times before the next impact, of which all are equally likely on a logarithmic scale:
+/// those of 0.04 to 2 s are taken for flights.
+pub(super) const LN_INTERVALS: f64 = 3.9;
+
+/// Logarithm of the probability that the second impact is odd: half of that of another sound, so that where a first flight
+/// fits badly both are in the interval of 95 %.
+pub(super) const LN_ODD_SECOND: f64 = -5.3;
+
+/// Difference of the logarithm of the first flight from the expected one up to which an odd impact explains it, and the one
+/// further in which that is less probable by a factor e.
+pub(super) const MAX_ODD_SECOND: f64 = 0.25;
+pub(super) const ODD_SECOND_FALL: f64 = 0.04;
+
+/// Least number of impacts after another sound: three show a restitution.
+pub(super) const MIN_REST: usize = 3;
+
+/// From this probability on another sound is in the interval of 95 % and reported, and from the second it is left out.
+pub(super) const DOUBTFUL_FIRST: f64 = 0.025;
+pub(super) const OTHER_FIRST: f64 = 0.99;
+
 // ---- The sampling.
 
 /// Exponential variables of the proposal, as of the scatter.

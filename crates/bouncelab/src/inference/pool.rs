@@ -226,6 +226,7 @@ impl SampledPosterior {
         let mut drops = Vec::with_capacity(chosen.len());
         for of_candidate in chosen.chunk_by(|(one, _), (other, _)| one == other) {
             let candidate = of_candidate[0].0;
+            let without_first = self.leaves_out_first(&self.candidates[candidate]);
             let model = self.model(&self.candidates[candidate]);
             let points: Vec<Point> = of_candidate.iter().map(|&(_, point)| point).collect();
             let numbers = (drops.len() as u32..).take(points.len());
@@ -242,7 +243,11 @@ impl SampledPosterior {
                 states
                     .into_iter()
                     .zip(rests)
-                    .map(|(state, rest)| DrawnDrop { state, rest }),
+                    .map(|(state, rest)| DrawnDrop {
+                        state,
+                        without_first,
+                        rest,
+                    }),
             );
         }
         drops
@@ -284,6 +289,8 @@ impl SampledPosterior {
 #[derive(Debug, Clone)]
 pub(super) struct DrawnDrop {
     pub(super) state: DropState,
+    /// Whether the first impact detected is left out.
+    pub(super) without_first: bool,
     /// Time and path to rest, if it comes to rest.
     pub(super) rest: Option<Rest>,
 }

@@ -60,6 +60,9 @@ pub struct Posterior {
     /// Probabilities of 0, 1, 2, ... impacts before the first one detected, if a height or a release
     /// time was given.
     pub missed_first_impacts: Option<Vec<f64>>,
+    /// Probability that the first impact detected is another sound, or of an earlier drop. The draws contain both
+    /// possibilities; nearly certain other sounds are left out.
+    pub first_is_other_sound: f64,
     /// The answers to [`InferenceOptions::reach`](super::InferenceOptions::reach).
     pub predictions: Vec<Prediction>,
     /// The impacts detected.
@@ -211,6 +214,11 @@ impl Posterior {
     pub fn is_outlier(&self, number: usize) -> bool {
         self.weight(number)
             .is_some_and(|weight| weight < OUTLIER_WEIGHT)
+    }
+
+    /// Number of the first impact that most probably belongs to the drop.
+    pub fn first_impact(&self) -> usize {
+        self.sampled.observed().impacts[0].number
     }
 
     /// The restitution law at a speed, m/s.

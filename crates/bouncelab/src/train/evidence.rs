@@ -76,6 +76,11 @@ fn rhythm(change: f64) -> f64 {
     1.0 + RHYTHM_WEIGHT / (off_beat * off_beat)
 }
 
+/// Logarithm of the probability ratio of the level and the spectrum of two sounds, if they are impacts of one ball.
+pub(super) fn ln_alike(onset: &Onset, next: &Onset) -> f64 {
+    Sound::of(onset).similarity(&Sound::of(next)).ln()
+}
+
 /// Level and spectrum of a sound, for the comparison with others.
 #[derive(Clone, Copy)]
 struct Sound {

@@ -44,8 +44,9 @@ pub(crate) use evidence::Span;
 use missing::{expected, ratio_near};
 pub(crate) use parameters::LN_MISSED;
 use parameters::{
-    GRAVITY_M_S2, MAX_ECHO_S, MAX_INTERVAL_S, MAX_JOINED_LN_RATIO, MAX_LAST_FLIGHTS, MAX_NOTICE_S,
-    MAX_SHARED_S, MIN_CONCURRENT_IMPACTS, MIN_DISTANT_DB, MIN_SEARCHED_FLIGHT_S,
+    COMPARED_WITH_FIRST, GRAVITY_M_S2, MAX_ECHO_S, MAX_INTERVAL_S, MAX_JOINED_LN_RATIO,
+    MAX_LAST_FLIGHTS, MAX_NOTICE_S, MAX_SHARED_S, MIN_CONCURRENT_IMPACTS, MIN_DISTANT_DB,
+    MIN_SEARCHED_FLIGHT_S,
 };
 pub(crate) use search::{Excerpt, search};
 
@@ -160,6 +161,14 @@ impl Train {
             .iter()
             .filter(|delay_s| (**delay_s - usual_s).abs() < MAX_ECHO_S);
         2 * usual.count() > self.impacts.len()
+    }
+
+    /// Natural logarithm of how much more probable level and spectrum of the first impact are for the ball of the others than
+    /// for any other sound, by the one of the next impacts that is most alike.
+    pub fn ln_alike(&self) -> f64 {
+        let next = self.impacts.iter().skip(1).take(COMPARED_WITH_FIRST);
+        let alike = next.map(|next| evidence::ln_alike(&self.impacts[0].onset, &next.onset));
+        alike.fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// Number of impacts between the first and the last that were not detected.

@@ -26,6 +26,9 @@ pub(super) const MIN_CONCURRENT_IMPACTS: usize = 3;
 /// Maximum difference of a delay from the median one for which impacts are echoes, s.
 pub(super) const MAX_ECHO_S: f64 = 0.002;
 
+/// Number of the next impacts with which the sound of the first is compared: one of them may be odd.
+pub(super) const COMPARED_WITH_FIRST: usize = 3;
+
 // Missed impacts.
 
 /// Minimum flight time of an impact that is searched for, s: a shorter flight is drowned in the ringing of the impact

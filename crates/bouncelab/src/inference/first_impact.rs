@@ -1,0 +1,131 @@
+//! Whether the first impact detected belongs to the drop.
+//!
+//! The drop height follows from the first flight. A click before the drop, or the last bounce of an earlier one, looks like a
+//! first impact, and the flight from it fits the others badly. So the drop without it is a numbering of its own, weighed like
+//! the others.
+
+use super::candidates::{Candidate, SampledPosterior};
+use super::observed::Observed;
+use super::parameters::{
+    DOUBTFUL_FIRST, LN_INTERVALS, LN_ODD_SECOND, LN_OTHER_SOUND, MAX_ODD_SECOND, MIN_REST,
+    ODD_SECOND_FALL, OTHER_SOUND_ALIKE,
+};
+use super::residual::missed_before_s;
+use crate::diagnostic::{Code, Diagnostic};
+use crate::stats::softplus;
+
+impl Observed {
+    /// The same without the first impact, if enough remain: that is another sound.
+    pub(super) fn without_first(&self) -> Option<Self> {
+        let (other, impacts) = self.impacts.split_first()?;
+        (impacts.len() >= MIN_REST).then(|| Self {
+            impacts: impacts.to_vec(),
+            intervals: self.intervals[1..].to_vec(),
+            sigma_s: self.sigma_s[1..].to_vec(),
+            sigma_stated: self.sigma_stated,
+            other_sound: Some(*other),
+        })
+    }
+
+    /// Logarithm of the probability that a sound is left out, times the density of its time; 0 if none is.
+    pub(super) fn ln_other_sound(&self) -> f64 {
+        let Some(other) = self.other_sound else {
+            return 0.0;
+        };
+        let interval_s = self.impacts[0].time_s - other.time_s;
+        // The likelihood of a time that is not left out leaves out this constant.
+        let normal = 0.5 * (2.0 * std::f64::consts::PI).ln();
+        self.ln_other_sound_here() - (LN_INTERVALS * interval_s).ln() + normal
+    }
+
+    /// Logarithm of the probability that the sound is no impact of the drop, given how alike it sounds. Of the other sounds
+    /// some are impacts of the same ball.
+    fn ln_other_sound_here(&self) -> f64 {
+        let ln_alike = self.other_sound.and_then(|other| other.ln_alike);
+        let unlike = (1.0 - OTHER_SOUND_ALIKE) * (-ln_alike.unwrap_or(0.0)).exp();
+        LN_OTHER_SOUND + (OTHER_SOUND_ALIKE + unlike).ln()
+    }
+}
+
+impl SampledPosterior {
+    /// Whether a candidate leaves out the first impact detected.
+    pub(super) fn leaves_out_first(&self, candidate: &Candidate) -> bool {
+        self.numberings[candidate.numbering]
+            .observed
+            .other_sound
+            .is_some()
+    }
+
+    /// Probability that the first impact detected is another sound.
+    pub(super) fn first_is_other_sound(&self) -> f64 {
+        let others = self
+            .candidates
+            .iter()
+            .filter(|it| self.leaves_out_first(it));
+        others.map(|candidate| candidate.weight).sum()
+    }
+
+    /// What the evidence of the candidates with the first impact lacks, as a logarithm: it may belong to the drop although its
+    /// flight fits badly, since the second impact was odd.
+    ///
+    /// An odd second impact makes any first flight as probable, up to a certain difference from the one expected. With the
+    /// evidence S without the first impact, and that of the same times with an odd impact, S r, the evidence A becomes A + S r.
+    pub(super) fn ln_odd_second(&self) -> f64 {
+        let (others, with_first): (Vec<&Candidate>, Vec<&Candidate>) = self
+            .candidates
+            .iter()
+            .partition(|it| self.leaves_out_first(it));
+        let best = others
+            .iter()
+            .max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence));
+        let Some(off) = best.and_then(|best| self.off_expected_first(best)) else {
+            return 0.0;
+        };
+        let observed = &self.numberings[best.map_or(0, |best| best.numbering)].observed;
+        let too_far = (off.abs() - MAX_ODD_SECOND).max(0.0) / ODD_SECOND_FALL;
+        let ratio = LN_ODD_SECOND - observed.ln_other_sound_here() - too_far;
+        softplus(ln_sum(&others) + ratio - ln_sum(&with_first))
+    }
+
+    /// Logarithm of the first flight over that which a candidate without it expects there.
+    fn off_expected_first(&self, candidate: &Candidate) -> Option<f64> {
+        let model = self.model(candidate);
+        let other_s = model.observed.other_sound?.time_s;
+        let point = model.point(candidate.fit.vector.as_slice())?;
+        let table = model.table(&point)?;
+        let expected_s = match candidate.missed_first {
+            // The fall is the second half of the flight that would have come before.
+            0 => {
+                table.launch(point.fall_launch_m_s)?.time / point.gravity_m_s2
+                    + point.contact_time_s
+            }
+            missed => missed_before_s(&table, &point, missed)?.next()?,
+        };
+        Some(((model.observed.impacts[0].time_s - other_s) / expected_s).ln())
+    }
+
+    /// A diagnostic if the first impact detected may be another sound.
+    pub(super) fn doubt(&self) -> Option<Diagnostic> {
+        let probability = self.first_is_other_sound();
+        if probability < DOUBTFUL_FIRST {
+            return None;
+        }
+        let mut candidates = self.candidates.iter();
+        let without = candidates.find(|it| self.leaves_out_first(it))?;
+        let model = self.model(without);
+        let point = model.point(without.fit.vector.as_slice())?;
+        Some(
+            Diagnostic::new(Code::FirstImpactDoubtful)
+                .with("time_s", model.observed.other_sound?.time_s)
+                .with("probability", probability)
+                .with("height_m", model.drop_height_m(&point)?),
+        )
+    }
+}
+
+/// Logarithm of the sum of the evidences.
+fn ln_sum(candidates: &[&Candidate]) -> f64 {
+    let logs = candidates.iter().map(|candidate| candidate.log_evidence);
+    let best = logs.clone().fold(f64::NEG_INFINITY, f64::max);
+    best + logs.map(|log| (log - best).exp()).sum::<f64>().ln()
+}
