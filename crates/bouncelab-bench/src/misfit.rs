@@ -26,9 +26,9 @@ use crate::stated::Stated;
 use crate::world::SAMPLE_RATE_HZ;
 use crate::{Result, of_seeds, seeded};
 
-/// What is asked: the restitution at the speed that the inference chooses and at that of the first
-/// impact, which no flight shows, the drop height, and the time until rest.
-const QUANTITIES: [&str; 4] = ["e", "e of the first", "h0", "time until rest"];
+/// What is asked: the restitution at the first impact, which no flight shows, and in the middle of the speeds detected, the
+/// drop height, and the time until rest.
+const QUANTITIES: [&str; 4] = ["e", "e in the middle", "h0", "time until rest"];
 
 /// A drop to be analysed, and the truth.
 pub(crate) struct Case {
@@ -49,9 +49,8 @@ pub(crate) enum Heard {
 pub(crate) struct Truth {
     /// Restitution at an impact speed, m/s.
     pub(crate) restitution: Box<dyn Fn(f64) -> f64>,
-    /// Restitution and speed, m/s, of the first impact.
-    pub(crate) first_restitution: f64,
-    pub(crate) first_impact_m_s: f64,
+    /// The geometric mean of the fastest and the slowest impact detected, m/s.
+    pub(crate) middle_m_s: f64,
     /// Drop height, m.
     pub(crate) height_m: f64,
     /// From the release until rest, s, if it comes to rest and is asked.
@@ -102,7 +101,7 @@ impl Row {
 /// How one drop fared.
 #[derive(Clone, Debug, Default)]
 pub struct Fared {
-    /// Of e, e of the first impact, drop height, and time until rest; `None` where nothing is stated, or asked.
+    /// Of e at the first impact and in the middle, drop height, and time until rest; `None` where nothing is stated, or asked.
     pub of: [Option<Held>; QUANTITIES.len()],
     /// Whether the impacts have their numbers.
     pub numbered: bool,
@@ -148,14 +147,14 @@ fn is_numbered(drop: &Drop, truth: &Truth) -> bool {
 }
 
 fn holds(truth: &Truth, posterior: &Posterior) -> [Option<Held>; QUANTITIES.len()] {
-    let first = posterior.restitution_at(truth.first_impact_m_s);
+    let middle = posterior.restitution_at(truth.middle_m_s);
     let rest = posterior.total_time_s.zip(truth.rest_s);
     [
         Some(Held::of(
             &posterior.restitution,
             (truth.restitution)(posterior.at_speed_m_s),
         )),
-        first.map(|first| Held::of(&first, truth.first_restitution)),
+        middle.map(|middle| Held::of(&middle, (truth.restitution)(truth.middle_m_s))),
         Some(Held::of(&posterior.drop_height_m, truth.height_m)),
         rest.map(|(estimate, rest_s)| Held::of(&estimate, rest_s)),
     ]

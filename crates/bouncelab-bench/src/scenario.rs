@@ -114,6 +114,8 @@ pub struct Drop {
     pub height_m: f64,
     /// Speed of the first impact, m/s.
     pub first_impact_m_s: f64,
+    /// Speed of the last impact detected, m/s.
+    slowest_m_s: f64,
     /// From the release until rest, s; `None` if it never rests.
     pub rest_s: Option<f64>,
     /// From the release until the first impact, s.
@@ -211,7 +213,7 @@ impl Drop {
         let mut second = (1.0, 0.0);
         let fall = model.fall(height_m).ok()?;
         let first_impact_m_s = fall.impact_speed_m_s;
-        let mut speed = first_impact_m_s;
+        let (mut speed, mut slowest_m_s) = (first_impact_m_s, first_impact_m_s);
         let (mut time_s, mut missing, mut detected, mut rest_s) = (0.0, false, true, None);
         let (mut times_s, mut numbers) = (Vec::new(), Vec::new());
         for number in 1..=MAX_BOUNCES {
@@ -232,6 +234,7 @@ impl Drop {
                 };
                 times_s.push((detected_s / grid_s).round() * grid_s);
                 numbers.push(number);
+                slowest_m_s = speed;
             }
             let is_outlier = scenario == Scenario::Wild && rng.random::<f64>() < 0.03;
             let spread = if is_outlier { 10.0 * scatter } else { scatter };
@@ -258,6 +261,7 @@ impl Drop {
             second,
             height_m,
             first_impact_m_s,
+            slowest_m_s,
             rest_s,
             fall_s: fall.time_s,
             numbers,
@@ -277,9 +281,7 @@ impl Drop {
             heard: Heard::Times(self.times_s.clone()),
             options,
             truth: Truth {
-                // Of the first surface.
-                first_restitution: self.law.at(self.first_impact_m_s),
-                first_impact_m_s: self.first_impact_m_s,
+                middle_m_s: (self.first_impact_m_s * self.slowest_m_s).sqrt(),
                 height_m: self.height_m,
                 rest_s: self.rest_s,
                 numbers: Some(self.numbers.clone()),

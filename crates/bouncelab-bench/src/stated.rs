@@ -166,8 +166,7 @@ impl Stated {
             options: settings.resolve().ok()?.options,
             truth: Truth {
                 restitution: Box::new(move |speed_m_s| law.at(speed_m_s)),
-                first_restitution: law.at(first.speed_m_s),
-                first_impact_m_s: first.speed_m_s,
+                middle_m_s: (first.speed_m_s * strikes.last()?.speed_m_s).sqrt(),
                 height_m,
                 rest_s: None,
                 numbers: None,
