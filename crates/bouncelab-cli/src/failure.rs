@@ -8,7 +8,7 @@ use bouncelab::Plain;
 use bouncelab_audio::LooksLike;
 use bouncelab_report::advice;
 
-use crate::language::translated;
+use crate::language::{text, translated};
 use crate::terminal::say;
 
 /// Why a command did not do what was asked.
@@ -58,7 +58,15 @@ impl Failure {
 /// An argument that the science refuses.
 impl From<bouncelab::Error> for Failure {
     fn from(refusal: bouncelab::Error) -> Self {
-        Self::Usage(translated(&refusal))
+        let advice = match &refusal {
+            bouncelab::Error::UnknownName { kind: "ball", .. } => text("advice-balls"),
+            _ => String::new(),
+        };
+        Self::Usage(
+            format!("{} {advice}", translated(&refusal))
+                .trim_end()
+                .to_owned(),
+        )
     }
 }
 

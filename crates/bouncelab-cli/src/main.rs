@@ -1,6 +1,7 @@
 //! The program `bouncelab`: from a recording of a bouncing ball to the physics.
 
 mod analyze;
+mod balls;
 mod demo;
 mod failure;
 mod history;
@@ -61,6 +62,7 @@ enum Command {
     Session(session::Arguments),
     Verdict(verdict::Arguments),
     Rules(rules::Arguments),
+    Balls(balls::Arguments),
     Simulate(simulate::Arguments),
     Synth(synth::Arguments),
     Paper(paper::Arguments),
@@ -101,6 +103,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Session(arguments) => session::run(&arguments),
         Command::Verdict(arguments) => verdict::run(&arguments),
         Command::Rules(arguments) => rules::run(&arguments),
+        Command::Balls(arguments) => balls::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),
         Command::Synth(arguments) => synth::run(&arguments),
         Command::Paper(arguments) => paper::run(&arguments),

@@ -417,7 +417,7 @@ fn absurd_arguments_are_refused_before_any_file_is_read() {
         (&["--mass", "-2.5g", "--diameter", "38mm"][..], "mass"),
         (&["--mass", "2.5g", "--diameter", "0"], "diameter"),
         (&["--mass", "2.5g"], "--diameter"),
-        (&["--ball", "tenis"], "tennis"),
+        (&["--ball", "tenniss"], "tennis"),
         (&["--drag", "constnt:0.4"], "drag law"),
         (&["--drag", "constant:-1"], "drag coefficient"),
         (&["--temperature", "1000C"], "temperature"),

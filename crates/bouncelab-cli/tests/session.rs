@@ -460,8 +460,8 @@ fn slips_of_the_pen_are_questioned() {
     );
     asks("[all]\nbal = \"red\"\n", "a bal? Did you mean ball?");
     asks(
-        "[all]\nball = \"tenis\"\n",
-        "what ball is \"tenis\"? Did you mean tennis?",
+        "[all]\nball = \"tenniss\"\n",
+        "what ball is \"tenniss\"? Did you mean tennis?",
     );
 }
 

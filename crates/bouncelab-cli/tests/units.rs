@@ -20,7 +20,7 @@ fn recording(folder: &TempDir) -> PathBuf {
 
 #[test]
 fn arguments_are_questioned_with_a_guess() {
-    let slips: [(&[&str], &str); 9] = [
+    let slips: [(&[&str], &str); 13] = [
         (&["--height", "30.5m"], "30.5 m? Did you mean 30.5 cm?"),
         (&["--height", "305m"], "305 m? Did you mean 305 cm?"),
         (&["--mass", "2.5kg", "--diameter", "38mm"], "2.5 g?"),
@@ -33,6 +33,10 @@ fn arguments_are_questioned_with_a_guess() {
         (&["--pressure", "101325hPa"], "101325 Pa?"),
         (&["--humidity", "45"], "45 %?"),
         (&["--contact-time", "1s"], "1 ms?"),
+        (&["--ball", "steel:10"], "10 m? Did you mean 10 mm?"),
+        (&["--ball", "tennis", "--mass", "58"], "58 g?"),
+        (&["--at-speed", "1e6m/s"], "1000000 m/s?"),
+        (&["--reach", "2:28m"], "28 m? Did you mean 28 cm?"),
     ];
     for (arguments, inference) in slips {
         // No file is looked at before.

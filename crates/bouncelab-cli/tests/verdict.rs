@@ -225,10 +225,7 @@ fn wrong_input_is_questioned() {
         &["--rule", "ittf-ball", "--height", "3.05m", "good.txt"],
         "10 times the rule's 0.305 m: is the unit right?",
     );
-    refused(
-        &["--rule", "futsal-ball", "good.txt"],
-        "names no known ball",
-    );
+    refused(&["--rule", "astm-f2117", "good.txt"], "names no known ball");
     refused(
         &["--rule", "ittf-ball", "good.txt", "./good.txt"],
         "good.txt and ./good.txt are the same recording",

@@ -56,7 +56,7 @@ WRONG: dict[str, Callable[[], object]] = {
     "times in rows": lambda: bl.analyze_times([[0.0, 1.0]]),  # type: ignore[list-item]
     "ragged times": lambda: bl.analyze_times([[0.0], [1.0, 2.0]]),  # type: ignore[list-item]
     "no list": lambda: bl.analyze_times(None),  # type: ignore[arg-type]
-    "an unknown ball": lambda: bl.analyze_times(TIMES_S, ball="tenis"),
+    "an unknown ball": lambda: bl.analyze_times(TIMES_S, ball="tenniss"),
     "a ball of 3": lambda: bl.analyze_times(TIMES_S, ball=3),  # type: ignore[arg-type]
     "a ball without size": lambda: bl.analyze_times(TIMES_S, mass_kg=0.0027),
     "a ball below nothing": lambda: bl.analyze_times(TIMES_S, mass_kg=-1.0, diameter_m=0.04),
@@ -100,7 +100,7 @@ WRONG: dict[str, Callable[[], object]] = {
     "flights in rows": lambda: bl.flights([[1.0]]),
     "a fall from below": lambda: bl.falls([-1.0]),
     "a fall of text": lambda: bl.falls(["high"]),
-    "an unknown ball falls": lambda: bl.terminal_speed_m_s(ball="tenis"),
+    "an unknown ball falls": lambda: bl.terminal_speed_m_s(ball="tenniss"),
     "cold air": lambda: bl.air(-1.0),
     "wet air": lambda: bl.air(293.0, 101_325.0, 2.0),
     "air of text": lambda: bl.air("warm"),  # type: ignore[arg-type]
@@ -128,7 +128,7 @@ def test_the_kinds_are_those_of_python_too() -> None:
     with pytest.raises(FileNotFoundError):
         bl.analyze("nowhere.wav")
     with pytest.raises(ValueError, match="tennis"):
-        bl.analyze_times(TIMES_S, ball="tenis")
+        bl.analyze_times(TIMES_S, ball="tenniss")
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, 1e30, -1e-40])

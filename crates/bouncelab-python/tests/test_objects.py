@@ -86,6 +86,12 @@ def test_a_recording_of_sound_keeps_its_waveform(sound: bl.Sound) -> None:
     assert again.figure("waveform").svg() == recording.figure("waveform").svg()
 
 
+def test_other_words_in_any_case_mean_the_same_ball() -> None:
+    by_name = bl.analyze_times(TIMES_S, ball="table-tennis-40", draws=200).drops[0]
+    for words in ("ping pong", "Tischtennis", "TENIS DE MESA"):
+        assert bl.analyze_times(TIMES_S, ball=words, draws=200).drops[0] == by_name
+
+
 @pytest.mark.parametrize("ball", bl.presets(), ids=lambda ball: ball.name)
 def test_a_preset_means_the_same_as_its_name(ball: bl.Ball) -> None:
     """What nobody measured stays as uncertain as the preset says, its contact time above all."""

@@ -462,11 +462,13 @@ impl Problems {
         let mut lines: Vec<String> = self.general.into_iter().collect();
         for ball in &self.unknown_balls {
             let kinds: Vec<&str> = ball::presets().iter().map(|preset| preset.name).collect();
-            let meant = near(ball, kinds.iter().copied());
+            let words = ball::presets().iter().flat_map(|preset| preset.words);
+            let meant = near(ball, kinds.iter().chain(words).copied());
             let meant = meant.map_or_else(String::new, |kind| format!(" Did you mean {kind}?"));
             lines.push(format!(
                 "what ball is \"{ball}\"?{meant} Write [balls.{ball}] with kind = \"...\" (or mass and \
-                 diameter) in session.toml, {advice}. Kinds: {}, steel:10mm, glass:16mm",
+                 diameter) in session.toml, {advice}. Kinds: {}, also with a diameter, \
+                 as in steel:10mm",
                 kinds.join(", ")
             ));
         }

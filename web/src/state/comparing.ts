@@ -23,7 +23,7 @@ export function toggle(field: Field): void {
 
 /** The preset of a drop, if it is of one. */
 export const presetOf = ({ settings: { ball } }: KeptDrop): string | undefined =>
-  ball?.mass_kg === undefined ? (ball?.kind ?? catalogue.value?.balls[0]?.name) : undefined;
+  ball?.kind ?? (ball?.mass_kg === undefined ? catalogue.value?.balls[0]?.name : undefined);
 
 /** The ball by its name in the language of the page, where it has one. */
 export function ballOf(drop: KeptDrop): string {

@@ -49,6 +49,10 @@ export function change<G extends keyof Settings>(
   writeSettings();
 }
 
+/** Whether a ball is stated by mass and diameter alone. */
+export const isOwnBall = ({ ball }: Settings): boolean =>
+  ball?.kind === undefined && (ball?.mass_kg !== undefined || ball?.diameter_m !== undefined);
+
 /** Chooses a ball by its name, and remembers it. */
 export function chooseBall(name: string): void {
   remember(BALL, name);

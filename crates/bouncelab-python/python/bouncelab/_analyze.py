@@ -106,9 +106,12 @@ def analyze(
         ``recording.settings.assumptions``.
 
         ball : str or Ball
-            One of :func:`presets`, or ``"steel:0.01"``, ``"glass:0.016"`` with the diameter in m.
+            One of :func:`presets`, by its name in any case or another usual word, such as ``"ping pong"``; also with
+            the diameter in m, as in ``"steel:0.01"``.
         mass_kg, diameter_m, contact_time_s : float
-            As measured, beside ``ball`` or in place of it.
+            As measured, beside ``ball`` or in place of it. Beside it, drag and contact time stay those of the kind, and
+            mass and diameter of a solid ball follow from one another. In place of it, the contact time follows from the
+            mean density, unless it is given.
         air : Air, or temperature_k, pressure_pa, relative_humidity : float
             The air.
         drag : str

@@ -126,7 +126,7 @@ class UnknownNameError(BouncelabError, ValueError):
     --------
     >>> import bouncelab as bl
     >>> try:
-    ...     bl.simulate(ball="tenis")
+    ...     bl.simulate(ball="tenniss")
     ... except bl.UnknownNameError as error:
     ...     print("tennis" in str(error))
     True

@@ -64,7 +64,7 @@ class RestitutionLaw:
 
 
 def presets() -> tuple[Ball, ...]:
-    """Return the balls whose mass and size the rules of their sport fix.
+    """Return the balls that can be stated by name: those whose mass and size rules fix, and usual solid ones.
 
     Returns
     -------

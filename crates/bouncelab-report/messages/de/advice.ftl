@@ -10,6 +10,7 @@ terminal-advice-altitude-not-stated = Gib sie mit --altitude an.
 terminal-advice-no-channel = Wähle einen anderen mit --channel.
 terminal-advice-too-many-channels = Die Option ist --channel.
 
+advice-balls = „bouncelab balls“ zeigt sie mit weiteren Wörtern, Masse, Durchmesser und Quelle.
 advice-allow-implausible = Berichtige es, oder bestehe darauf mit --allow-implausible
 
 page-advice-impact-gains-energy = Entferne ihn, wenn er im Schallbild falsch aussieht.

@@ -34,5 +34,4 @@ rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = beide Höhen gel
 rule-note-the-itf-recommends-these-values-it-does-not-demand-them-one-recording-for-each-place = die ITF empfiehlt diese Werte, sie verlangt sie nicht; eine Aufnahme für jede Stelle
 rule-note-one-recording-for-each-point-of-the-floor = eine Aufnahme für jede Stelle des Bodens
 rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = ein Verfahren für jeden Ball aus jeder Höhe; es gibt den Anteil an und setzt keine Grenze
-rule-note-no-preset-has-its-mass-and-size-state-them = keine Vorgabe hat seine Masse und Größe: geben Sie sie an
 rule-note-the-law-says-about-23-cm-and-not-how-near = die Regel sagt etwa 23 cm, und nicht, wie genau

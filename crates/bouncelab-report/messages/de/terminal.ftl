@@ -153,6 +153,9 @@ verdict-method = Wie entschieden wurde
 verdict-method-predicted = Beurteilt wird der Scheitel nach dem ersten Aufprall eines Falls aus der Höhe der Regel, an dem Punkt des Balls, an dem die Regel misst. Er ist aus allem vorhergesagt, was die Versuche zeigen, beim Aufpralltempo der Regel, die Streuung einzelner Aufpralle herausgemittelt.
 verdict-method-decided = Bestanden ist nur, wenn die Wahrscheinlichkeit, außerhalb der Grenzen zu liegen, höchstens das angegebene Risiko ist, und nicht bestanden nur, wenn es die ist, innerhalb zu liegen (abgesicherte Annahme, JCGM 106:2012, The role of measurement uncertainty in conformity assessment). Dazwischen lassen die Versuche keine Entscheidung zu. Was man von Ball, Luft und Luftwiderstand nicht weiß, ist für alle Versuche gleich und mittelt sich nicht heraus.
 
+balls-numbers = { $ball }, Kontakt { $contact }
+balls-words = auch: { $words }
+
 rule-name = Name
 rule-title = Regel
 rule-sport = von

@@ -12,6 +12,7 @@ terminal-advice-altitude-not-stated = State it with --altitude.
 terminal-advice-no-channel = Choose another with --channel.
 terminal-advice-too-many-channels = The option is --channel.
 
+advice-balls = 'bouncelab balls' lists them with other words, mass, diameter and source.
 advice-allow-implausible = Correct it, or accept it with --allow-implausible
 
 page-advice-impact-gains-energy = Remove it if it looks wrong in the waveform.

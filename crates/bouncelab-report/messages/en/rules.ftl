@@ -34,5 +34,4 @@ rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = both heights are
 rule-note-the-itf-recommends-these-values-it-does-not-demand-them-one-recording-for-each-place = the ITF recommends these values, it does not demand them; one recording for each place
 rule-note-one-recording-for-each-point-of-the-floor = one recording for each point of the floor
 rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = a method for any ball from any height; it states the percentage and sets no limit
-rule-note-no-preset-has-its-mass-and-size-state-them = no preset has its mass and size: state them
 rule-note-the-law-says-about-23-cm-and-not-how-near = the law says about 23 cm, and not how near

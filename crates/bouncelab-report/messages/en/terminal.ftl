@@ -155,6 +155,9 @@ verdict-method = Decision
 verdict-method-predicted = The verdict is on the apex after the first impact of a drop from the height of the rule, at the point of the ball at which the rule measures. It is predicted from all drops, at the impact speed of the rule, with the scatter of single impacts averaged out.
 verdict-method-decided = Guarded acceptance (JCGM 106:2012, The role of measurement uncertainty in conformity assessment): a pass is given only if the probability of being outside the limits is at most the stated risk, and a fail only if the probability of being within is. Otherwise the drops cannot decide. The uncertainty of ball, air and drag is common to all drops and does not average out.
 
+balls-numbers = { $ball }, contact { $contact }
+balls-words = also: { $words }
+
 rule-name = name
 rule-title = rule
 rule-sport = of

@@ -10,6 +10,7 @@ terminal-advice-altitude-not-stated = Indíquela con --altitude.
 terminal-advice-no-channel = Elija otro con --channel.
 terminal-advice-too-many-channels = La opción es --channel.
 
+advice-balls = «bouncelab balls» las muestra con otras palabras, masa, diámetro y fuente.
 advice-allow-implausible = Corrija el valor, o acéptelo con --allow-implausible
 
 page-advice-impact-gains-energy = Elimínelo si parece falso en la forma de onda.

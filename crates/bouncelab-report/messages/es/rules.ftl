@@ -34,5 +34,4 @@ rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = ambas alturas se
 rule-note-the-itf-recommends-these-values-it-does-not-demand-them-one-recording-for-each-place = la ITF recomienda estos valores, no los exige; una grabación por cada lugar
 rule-note-one-recording-for-each-point-of-the-floor = una grabación por cada punto del suelo
 rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = un método para cualquier pelota y altura; da el porcentaje y no fija ningún límite
-rule-note-no-preset-has-its-mass-and-size-state-them = ningún ajuste tiene su masa y tamaño: indíquelos
 rule-note-the-law-says-about-23-cm-and-not-how-near = la regla dice unos 23 cm, y no con qué aproximación

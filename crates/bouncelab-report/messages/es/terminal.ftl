@@ -154,6 +154,9 @@ verdict-method = Decisión
 verdict-method-predicted = El veredicto es sobre la altura máxima tras el primer impacto de una caída desde la altura de la regla, en el punto de la pelota en que mide la regla. Se predice a partir de todos los ensayos, a la velocidad de impacto de la regla, promediando la dispersión de los impactos individuales.
 verdict-method-decided = Aceptación con banda de guarda (JCGM 106:2012, The role of measurement uncertainty in conformity assessment): solo se declara conforme si la probabilidad de estar fuera de los límites es como mucho el riesgo indicado, y no conforme solo si lo es la de estar dentro. En otro caso, los ensayos no permiten decidir. La incertidumbre de la pelota, el aire y el arrastre es común a todos los ensayos y no se promedia.
 
+balls-numbers = { $ball }, contacto { $contact }
+balls-words = también: { $words }
+
 rule-name = nombre
 rule-title = regla
 rule-sport = de

@@ -10,6 +10,7 @@ terminal-advice-altitude-not-stated = Indiquez-la avec --altitude.
 terminal-advice-no-channel = Choisissez-en une autre avec --channel.
 terminal-advice-too-many-channels = L’option est --channel.
 
+advice-balls = « bouncelab balls » les montre avec d’autres mots, masse, diamètre et source.
 advice-allow-implausible = Corrigez la valeur, ou acceptez-la avec --allow-implausible
 
 page-advice-impact-gains-energy = Supprimez-le s’il paraît faux dans la forme d’onde.

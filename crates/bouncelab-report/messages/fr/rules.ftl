@@ -34,5 +34,4 @@ rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = les deux hauteur
 rule-note-the-itf-recommends-these-values-it-does-not-demand-them-one-recording-for-each-place = l’ITF recommande ces valeurs, elle ne les exige pas ; un enregistrement par emplacement
 rule-note-one-recording-for-each-point-of-the-floor = un enregistrement par point du sol
 rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = une méthode pour toute balle et toute hauteur ; elle donne le pourcentage et ne fixe aucune limite
-rule-note-no-preset-has-its-mass-and-size-state-them = aucun préréglage n’a sa masse et sa taille : indiquez-les
 rule-note-the-law-says-about-23-cm-and-not-how-near = la règle dit environ 23 cm, sans dire à combien près

@@ -154,6 +154,9 @@ verdict-method = Décision
 verdict-method-predicted = Le verdict porte sur le sommet après le premier impact d’une chute de la hauteur de la règle, au point de la balle où la règle mesure. Il est prédit d’après tous les essais, à la vitesse d’impact de la règle, la dispersion des impacts individuels étant moyennée.
 verdict-method-decided = Acceptation avec bande de garde (JCGM 106:2012, The role of measurement uncertainty in conformity assessment) : la conformité n’est déclarée que si la probabilité d’être hors des limites est au plus le risque indiqué, et la non-conformité que si celle d’être dans les limites l’est. Sinon, les essais ne permettent pas de décider. L’incertitude de la balle, de l’air et de la traînée est commune à tous les essais et ne se moyenne pas.
 
+balls-numbers = { $ball }, contact { $contact }
+balls-words = aussi : { $words }
+
 rule-name = nom
 rule-title = règle
 rule-sport = de

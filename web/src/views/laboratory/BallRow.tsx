@@ -1,5 +1,5 @@
 import { catalogue } from '../../state/engine.ts';
-import { chooseBall, settings } from '../../state/settings.ts';
+import { chooseBall, isOwnBall, settings } from '../../state/settings.ts';
 import { text } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';
 
@@ -23,9 +23,8 @@ const MARKINGS: Readonly<Record<string, string>> = {
 /** The balls in a row, one tap each: the ball decides drag, so it is asked for where one looks first. */
 export function BallRow() {
   const balls = catalogue.value?.balls ?? [];
-  const { kind, mass_kg, diameter_m: own } = settings.value.ball ?? {};
-  const isOwn = mass_kg !== undefined || own !== undefined;
-  const chosen = isOwn ? undefined : (kind ?? balls[0]?.name);
+  const kind = settings.value.ball?.kind;
+  const chosen = isOwnBall(settings.value) ? undefined : (kind ?? balls[0]?.name);
   const largest = Math.max(...balls.map(({ diameter_m }) => diameter_m));
   return (
     <fieldset class="balls no-print">

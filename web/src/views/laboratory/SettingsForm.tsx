@@ -1,7 +1,7 @@
 import { Choice } from '../../app/Choice.tsx';
 import { NumberField } from '../../app/NumberField.tsx';
 import { catalogue } from '../../state/engine.ts';
-import { change, chooseBall, forgetSettings, settings } from '../../state/settings.ts';
+import { change, chooseBall, forgetSettings, isOwnBall, settings } from '../../state/settings.ts';
 import { analysed } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 import { ballName, lawName, nameIn } from '../../text/names.ts';
@@ -44,8 +44,8 @@ export function SettingsForm() {
 function Ball() {
   const { kind, mass_kg, diameter_m, contact_time_s } = settings.value.ball ?? {};
   const balls = catalogue.value?.balls ?? [];
-  const own = mass_kg !== undefined || diameter_m !== undefined;
-  const preset = balls.find(({ name }) => name === (kind ?? balls[0]?.name));
+  const own = isOwnBall(settings.value);
+  const preset = own ? undefined : balls.find(({ name }) => name === (kind ?? balls[0]?.name));
   const known = preset || kind === undefined ? [] : [[kind, kind] as const];
   const choose = (name: string): void => {
     if (name === OWN) {
@@ -66,25 +66,23 @@ function Ball() {
         ]}
         onChange={choose}
       />
-      {own && (
-        <>
-          <NumberField
-            label={text('page-settings-mass')}
-            unit="g"
-            value={scaled(mass_kg, 1e3)}
-            min={1e-3}
-            onChange={(grams) => change('ball', { mass_kg: scaled(grams, 1e-3) })}
-          />
-          <NumberField
-            label={text('page-settings-diameter')}
-            question={questionOf('ball')}
-            unit="mm"
-            value={scaled(diameter_m, 1e3)}
-            min={0.1}
-            onChange={(mm) => change('ball', { diameter_m: scaled(mm, 1e-3) })}
-          />
-        </>
-      )}
+      <NumberField
+        label={text('page-settings-mass')}
+        unit="g"
+        value={scaled(mass_kg, 1e3)}
+        usual={scaled(preset?.mass_kg, 1e3)}
+        min={1e-3}
+        onChange={(grams) => change('ball', { mass_kg: scaled(grams, 1e-3) })}
+      />
+      <NumberField
+        label={text('page-settings-diameter')}
+        question={questionOf('ball')}
+        unit="mm"
+        value={scaled(diameter_m, 1e3)}
+        usual={scaled(preset?.diameter_m, 1e3)}
+        min={0.1}
+        onChange={(mm) => change('ball', { diameter_m: scaled(mm, 1e-3) })}
+      />
       <NumberField
         label={text('page-settings-contact')}
         question={questionOf('contact-time')}

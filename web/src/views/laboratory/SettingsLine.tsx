@@ -1,6 +1,6 @@
 import { fixed } from '../../format/quantity.ts';
 import { catalogue } from '../../state/engine.ts';
-import { settings } from '../../state/settings.ts';
+import { isOwnBall, settings } from '../../state/settings.ts';
 import { refusedSettings } from '../../state/workspace.ts';
 import { language, text } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';
@@ -37,12 +37,13 @@ const unlessStated = (stated: boolean): string => (stated ? '' : ` (${text('page
 
 function ballInWords(): string {
   const { kind, mass_kg, diameter_m } = settings.value.ball ?? {};
-  if (mass_kg !== undefined && diameter_m !== undefined) {
-    const mass = `${number(1e3 * mass_kg)} g`;
-    return `${text('page-settings-ball')}: ${mass}, ${number(1e3 * diameter_m)} mm`;
-  }
   const name = kind ?? catalogue.value?.balls[0]?.name ?? '';
-  return `${text('page-settings-ball')}: ${ballName(name)}${unlessStated(kind !== undefined)}`;
+  const words = [
+    isOwnBall(settings.value) ? '' : `${ballName(name)}${unlessStated(kind !== undefined)}`,
+    mass_kg === undefined ? '' : `${number(1e3 * mass_kg)} g`,
+    diameter_m === undefined ? '' : `${number(1e3 * diameter_m)} mm`,
+  ];
+  return `${text('page-settings-ball')}: ${words.filter((word) => word !== '').join(', ')}`;
 }
 
 function airInWords(): string {
