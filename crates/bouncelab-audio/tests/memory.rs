@@ -216,7 +216,6 @@ fn a_thousand_inferred_drops_fit() {
     ];
     let mut options = Options::default();
     options.priors.restitution_laws = vec![LawKind::Constant];
-    options.priors.constant_drag_too = false;
     let drops = iter::repeat_with(|| analyze_impacts(impacts_of_times(&times_s), &options));
     let drops: Vec<_> = drops.take(1_000).collect();
     assert!(drops.iter().all(|drop| drop.posterior.is_ok()));

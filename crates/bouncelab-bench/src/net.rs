@@ -344,7 +344,6 @@ fn simulated(index: usize) -> (String, Vec<Impact>, Options) {
         }
         4 => options.priors.restitution_laws = vec![LawKind::ALL[round % LawKind::ALL.len()]],
         5 => {
-            options.priors.constant_drag_too = false;
             options.environment.drag = DragLaw::Morrison;
             options.flights = Some(1..=4);
             let (bounce, apex_m) = (1, 0.3);

@@ -48,7 +48,6 @@ fn impacts() -> Vec<Impact> {
 fn one_law() -> Priors {
     Priors {
         restitution_laws: vec![LawKind::Constant],
-        constant_drag_too: false,
         ..Options::default().priors
     }
 }

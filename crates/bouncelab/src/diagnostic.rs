@@ -374,7 +374,6 @@ codes! {
     /// The release was measured.
     PriorRelease = "prior-release", Info, ["release_s", "sd_s"];
     /// A constant drag coefficient is as probable as the law.
-    PriorConstantDrag = "prior-constant-drag", Info, [];
     /// Each further impact missed at the start is half as likely.
     PriorMissed = "prior-missed", Info, [];
 

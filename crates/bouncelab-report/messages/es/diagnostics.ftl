@@ -167,7 +167,6 @@ diagnostic-prior-input = { $input }: valor conocido al { $relative_sd } %.
 diagnostic-prior-height = Altura de caída: medida, { $height_m } ± { $sd_m }.
 diagnostic-prior-height-flat = Altura de caída: uniforme en su logaritmo.
 diagnostic-prior-release = Suelta: medida, { $release_s } s ± { $sd_s }.
-diagnostic-prior-constant-drag = Un coeficiente de arrastre constante: tan probable como la ley.
 diagnostic-prior-missed = Cada impacto más perdido al principio: la mitad de probable; donde había silencio, mil veces menos probable. En una lista de tiempos nada muestra si se perdieron impactos.
 
 diagnostic-rule-needs-drops = La regla necesita { $needed } ensayos, y hay { $given }.

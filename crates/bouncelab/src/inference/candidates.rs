@@ -6,7 +6,7 @@ use super::medium::Medium;
 use super::numbering;
 use super::observed::Observed;
 use super::parameters::{
-    DRAG_COEFFICIENT_STEPS, LN_MISSED_FIRST, LN_UNHEARD, MAX_MISSED_FIRST, OTHER_FIRST, PRUNE_BELOW,
+    LN_MISSED_FIRST, LN_UNHEARD, MAX_MISSED_FIRST, OTHER_FIRST, PRUNE_BELOW,
 };
 use super::pool::{Pool, SamplerConfig};
 use super::priors::Priors;
@@ -16,7 +16,6 @@ use super::timed_flights::TimedFlights;
 use super::unknowns::{ExpectedRestitution, Model};
 use crate::ball::Ball;
 use crate::diagnostic::Diagnostic;
-use crate::drag::DragLaw;
 use crate::error::{Error, InferenceFailure, Quantity, Result, within};
 use crate::flight::Environment;
 use crate::impact::Impact;
@@ -129,7 +128,7 @@ impl SampledPosterior {
                 ..observed.impacts[0].time_s,
             )?;
         }
-        let mut media = vec![Medium::new(
+        let media = vec![Medium::new(
             ball,
             environment,
             environment.drag,
@@ -138,21 +137,6 @@ impl SampledPosterior {
             priors,
         )?];
         let reference = ReferenceSpeed::new(&observed, &media[0])?;
-        if priors.constant_drag_too && follows_reynolds(environment) {
-            // Drag shows most at the fastest impact.
-            let reynolds = environment.air.reynolds(ball, reference.speeds.fastest_m_s);
-            let coefficient = environment.drag.coefficient(reynolds)?;
-            let rounded = (coefficient * DRAG_COEFFICIENT_STEPS).round() / DRAG_COEFFICIENT_STEPS;
-            let law = DragLaw::Constant(rounded);
-            media.push(Medium::new(
-                ball,
-                environment,
-                law,
-                contact_time_s,
-                &observed,
-                priors,
-            )?);
-        }
         let mut numberings = numbering::plausible(&observed);
         if !priors.first_was_detected {
             for with_first in 0..numberings.len() {
@@ -287,7 +271,7 @@ impl SampledPosterior {
     /// The laws to consider. The first represents all where one must, and the searches of others start from its fit: a power
     /// of the speed is similar to most of them.
     pub(super) fn laws(&self) -> Vec<LawKind> {
-        let mut laws = self.priors.laws(self.observed().intervals.len());
+        let mut laws = self.priors.laws();
         if let Some(power) = laws.iter().position(|&law| law == LawKind::Power) {
             laws[..=power].rotate_right(1);
         }
@@ -466,12 +450,6 @@ impl SampledPosterior {
             fastest_m_s: speeds().fold(0.0, f64::max),
         })
     }
-}
-
-/// Whether the drag coefficient is anything but constant.
-fn follows_reynolds(environment: &Environment) -> bool {
-    let constant = matches!(environment.drag, DragLaw::None | DragLaw::Constant(_));
-    !constant && !environment.air.is_vacuum()
 }
 
 /// The highest evidence of the candidates.

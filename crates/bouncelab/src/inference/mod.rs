@@ -235,7 +235,6 @@ pub fn best_fit(
     let law = priors.restitution_laws.first();
     let priors = Priors {
         restitution_laws: vec![law.copied().unwrap_or(LawKind::Constant)],
-        constant_drag_too: false,
         first_was_detected: true,
         ..priors.clone()
     };

@@ -74,10 +74,6 @@ pub(super) const PARABOLA_REACH: f64 = 0.02;
 /// gives zero.
 pub(super) const IMPOSSIBLE_LOG_SPEED: f64 = 1e200;
 
-/// Steps in a unit of the constant drag coefficient that stands for a law of the Reynolds number: it is rounded to more
-/// digits than are ever known.
-pub(super) const DRAG_COEFFICIENT_STEPS: f64 = 1e4;
-
 // ---- The reference speed.
 
 /// Largest median of ln e that is accepted: a ball cannot gain speed, but few impacts with errors may suggest it.
@@ -85,6 +81,9 @@ pub(super) const MAX_LOG_RESTITUTION: f64 = 0.1;
 
 /// Least ratio of the fastest to the slowest impact, since laws with a knee need a range.
 pub(super) const MIN_SPEED_RATIO: f64 = 1.05;
+
+/// Least restitution of the first impact that widens the range of speeds: a dead ball shows little of its own curve.
+pub(super) const MIN_FIRST_RESTITUTION: f64 = 0.2;
 
 /// The restitution with which a search starts where no impact shows one.
 pub(super) const START_RESTITUTION: f64 = 0.8;

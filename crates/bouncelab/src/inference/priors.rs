@@ -34,11 +34,8 @@ pub struct Priors {
     /// Whether the first impact detected is the first there was. With gravity unknown it must be: a
     /// missed impact and a weaker gravity look alike.
     pub first_was_detected: bool,
-    /// Restitution laws to consider; if empty, all.
+    /// Restitution laws to consider; if empty, the smooth one alone, which can follow any other.
     pub restitution_laws: Vec<LawKind>,
-    /// Whether to consider a constant drag coefficient too, besides a law of the Reynolds number: what
-    /// the law gives at the fastest impact detected.
-    pub constant_drag_too: bool,
     /// Drag coefficient: how far a real ball may lie from the law. The laws of smooth spheres
     /// scatter by about 3 % at Reynolds numbers of 1,000 to 10,000; 4 % allows for a ball.
     pub drag_rel_sd: f64,
@@ -76,7 +73,6 @@ impl Default for Priors {
             release_s: None,
             first_was_detected: false,
             restitution_laws: Vec::new(),
-            constant_drag_too: true,
             drag_rel_sd: 0.04,
             // Half the range over the surface of the Earth, as a rectangle.
             gravity_rel_sd: 0.0015,
@@ -162,27 +158,19 @@ impl Priors {
             let release = Diagnostic::new(Code::PriorRelease);
             diagnostics.push(release.with("release_s", value).with("sd_s", sd));
         }
-        if self.constant_drag_too {
-            diagnostics.push(Diagnostic::new(Code::PriorConstantDrag));
-        }
         if self.determine_missed() {
             diagnostics.push(Diagnostic::new(Code::PriorMissed));
         }
         diagnostics
     }
 
-    /// The laws to consider for this number of intervals between impacts, each once: a law requested twice is
-    /// no more probable.
-    pub(super) fn laws(&self, intervals: usize) -> Vec<LawKind> {
-        let asked = &self.restitution_laws;
-        let mut laws = LawKind::ALL.to_vec();
-        if asked.is_empty() {
-            // One interval shows no restitution at all. A few do not distinguish the laws, so none may be left
-            // out: the impacts that no interval shows, such as the first, may follow any of them.
-            laws.retain(|law| *law == LawKind::Constant || intervals > 1);
-        } else {
-            laws.retain(|law| asked.contains(law));
+    /// The laws to consider, each once: a law requested twice is no more probable.
+    pub(super) fn laws(&self) -> Vec<LawKind> {
+        if self.restitution_laws.is_empty() {
+            return vec![LawKind::Smooth];
         }
+        let mut laws = LawKind::ALL.to_vec();
+        laws.retain(|law| self.restitution_laws.contains(law));
         laws
     }
 
@@ -234,13 +222,11 @@ mod tests {
             restitution_laws: vec![LawKind::Knee, LawKind::Constant, LawKind::Knee],
             ..Priors::default()
         };
-        assert_eq!(priors.laws(1), [LawKind::Constant, LawKind::Knee]);
+        assert_eq!(priors.laws(), [LawKind::Constant, LawKind::Knee]);
     }
 
     #[test]
-    fn one_interval_leaves_one_law() {
-        let laws = |intervals| Priors::default().laws(intervals);
-        assert_eq!(laws(1), [LawKind::Constant]);
-        assert_eq!(laws(2), LawKind::ALL);
+    fn the_smooth_law_is_the_default() {
+        assert_eq!(Priors::default().laws(), [LawKind::Smooth]);
     }
 }

@@ -3,7 +3,7 @@
 use super::medium::Medium;
 use super::observed::Observed;
 use super::parameters::{
-    MAX_LOG_RESTITUTION, MIN_SPEED_RATIO, MIN_START_SCATTER, START_RESTITUTION,
+    MAX_LOG_RESTITUTION, MIN_FIRST_RESTITUTION, MIN_SPEED_RATIO, MIN_START_SCATTER, START_RESTITUTION,
 };
 use crate::error::{Error, InferenceFailure, Result};
 use crate::flight::table::Row;
@@ -70,7 +70,10 @@ impl ReferenceSpeed {
         }
         let speeds = rows.iter().map(|row| row.impact).chain([rows[0].launch]);
         let slowest_m_s = speeds.clone().fold(f64::INFINITY, f64::min);
-        let fastest_m_s = speeds.clone().fold(0.0, f64::max);
+        // No flight before it shows the speed of the first impact: it follows from the flight after it.
+        let restitution = log_restitution.map_or(START_RESTITUTION, f64::exp);
+        let first_m_s = rows[0].launch / restitution.clamp(MIN_FIRST_RESTITUTION, 1.0);
+        let fastest_m_s = speeds.clone().fold(first_m_s, f64::max);
         let mean_log = speeds.map(f64::ln).sum::<f64>() / (rows.len() + 1) as f64;
         Ok(Self {
             speeds: SpeedRange {
@@ -79,7 +82,7 @@ impl ReferenceSpeed {
                 // A knee needs a range even where all impacts are alike.
                 fastest_m_s: fastest_m_s.max(MIN_SPEED_RATIO * slowest_m_s),
             },
-            restitution: log_restitution.map_or(START_RESTITUTION, f64::exp),
+            restitution,
             first_launch_m_s: rows[0].launch,
             scatter: scatter.map(|scatter| scatter.max(MIN_START_SCATTER)),
             timing,

@@ -17,7 +17,7 @@ pub(super) const LAW: Law = Law {
     restitutions_needed: 1,
     shapes: 0,
     of_normals: |restitution, _, _| Restitution::constant(restitution),
-    start: [0.0; 3],
+    start: [0.0; super::law::MAX_SHAPES],
     normal_of_slope: None,
     slope_from_few_flights: false,
 };

@@ -29,14 +29,14 @@ pub(super) const LAW: Law = Law {
     random_stream: 4,
     restitutions_needed: 4,
     shapes: 2,
-    of_normals: |restitution, [knee, loss, _], speeds| {
+    of_normals: |restitution, [knee, loss, ..], speeds| {
         let range = speeds.fastest_m_s / speeds.slowest_m_s;
         let knee_speed_m_s = speeds.slowest_m_s * range.powf(logistic(UNIFORM * knee));
         let loss_per_speed_s_m = restitution * (LOSS * loss.exp()) / knee_speed_m_s;
         Restitution::knee(restitution, knee_speed_m_s, loss_per_speed_s_m)
     },
     // A knee in the fast impacts, and not steep: from there the search can go anywhere.
-    start: [1.0, -1.0, 0.0],
+    start: [1.0, -1.0, 0.0, 0.0, 0.0],
     normal_of_slope: None,
     slope_from_few_flights: false,
 };

@@ -30,10 +30,10 @@ pub struct Restitution {
 }
 
 /// As many numbers as the largest law has.
-pub(super) const NUMBERS: usize = 8;
+pub(super) const NUMBERS: usize = 9;
 
 /// As many numbers besides e* as the inference can find for a law.
-pub(crate) const MAX_SHAPES: usize = 3;
+pub(crate) const MAX_SHAPES: usize = 5;
 
 /// A law as data: what the simulation, the inference and the front ends ask of it. The two functions that are evaluated
 /// millions of times, `curve` and `log_curve`, are functions of its module.

@@ -26,7 +26,7 @@ pub(super) const LAW: Law = Law {
         let at_rest = restitution + loss_per_speed_s_m * speeds.reference_m_s;
         Restitution::linear(at_rest, loss_per_speed_s_m)
     },
-    start: [0.0; 3],
+    start: [0.0; super::law::MAX_SHAPES],
     // d ln e/d ln v = -k v/e, with k = e* LOSS_SD z/v_fastest.
     normal_of_slope: Some(|log_slope, speeds| {
         let fastest = speeds.fastest_m_s / speeds.reference_m_s;

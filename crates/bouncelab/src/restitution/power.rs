@@ -24,7 +24,7 @@ pub(super) const LAW: Law = Law {
     of_normals: |restitution, [exponent, ..], speeds| {
         Restitution::power(restitution, speeds.reference_m_s, EXPONENT_SD * exponent)
     },
-    start: [0.0; 3],
+    start: [0.0; super::law::MAX_SHAPES],
     normal_of_slope: Some(|log_slope, _| -log_slope / EXPONENT_SD),
     slope_from_few_flights: true,
 };

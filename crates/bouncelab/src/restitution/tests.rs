@@ -26,8 +26,8 @@ fn absurd_laws_are_refused() {
     assert!(Restitution::linear(0.9, f64::NAN).is_err());
     assert!(Restitution::power(0.9, 0.0, 0.1).is_err());
     assert!(Restitution::viscoelastic(-1.0).is_err());
-    assert!(Restitution::smooth(0.9, [1.0, 1.0, 2.0], [0.0; 3]).is_err());
-    assert!(Restitution::smooth(0.9, [0.5, 1.0, 2.0], [0.0, f64::NAN, 0.0]).is_err());
+    assert!(Restitution::smooth(0.9, [1.0, 1.0, 2.0], [0.0; 5]).is_err());
+    assert!(Restitution::smooth(0.9, [0.5, 1.0, 2.0], [0.0, 0.0, f64::NAN, 0.0, 0.0]).is_err());
     assert!(Restitution::knee(0.9, 1.0, f64::INFINITY).is_err());
 }
 
@@ -41,7 +41,7 @@ fn logarithms_are_those_of_the_law() {
         Restitution::power(0.9, 2.0, 0.1).unwrap(),
         Restitution::viscoelastic_through(0.9, 2.0).unwrap(),
         Restitution::knee(0.9, 1.5, 0.1).unwrap(),
-        Restitution::smooth(0.9, [0.5, 1.0, 2.0], [0.0, 0.02, 0.1]).unwrap(),
+        Restitution::smooth(0.9, [0.5, 1.0, 2.0], [0.0, -0.05, 0.02, 0.03, 0.1]).unwrap(),
     ];
     for law in laws {
         for v in [1e-4_f64, 0.1, 0.7, 1.0, 1.6, 4.0, 9.0] {
@@ -87,7 +87,7 @@ fn log_slopes_are_the_derivatives() {
         Restitution::power(0.9, 2.0, 0.05),
         Restitution::viscoelastic_through(0.9, 2.0),
         Restitution::knee(0.95, 1.5, 0.02),
-        Restitution::smooth(0.9, [1.0, 1.5, 2.0], [0.03, -0.02, -0.1]),
+        Restitution::smooth(0.9, [1.0, 1.5, 2.0], [0.03, 0.05, -0.02, -0.07, -0.1]),
     ];
     for law in laws.map(crate::error::Result::unwrap) {
         for v in [0.5, 1.4, 1.6, 3.0_f64] {
@@ -158,7 +158,7 @@ fn a_law_as_text_is_its_name_with_its_numbers() {
             "{text}"
         );
     }
-    for text in ["1.1", "NaN", "linear:3,0", "smooth:0.9,2,1,3,0,0,0"] {
+    for text in ["1.1", "NaN", "linear:3,0", "smooth:0.9,2,1,3,0,0,0,0,0"] {
         assert!(matches!(law(text), Err(Error::OutOfRange { .. })), "{text}");
     }
     let nearest = law("powr:0.9").unwrap_err().diagnostic();
@@ -186,7 +186,8 @@ fn laws_of_the_prior_have_their_restitution_and_their_slope() {
         };
         // The corner of a knee is rounded.
         assert!((at_reference - 0.9).abs() < 1e-4, "{kind}: {at_reference}");
-        let normals = [0.8, 0.0, 0.0];
+        let mut normals = [0.0; MAX_SHAPES];
+        normals[0] = 0.8;
         let sloped = kind.of_normals(0.9, normals, &speeds).unwrap();
         let log_slope = sloped.log_slope(speeds.reference_m_s);
         let normal = kind.normal_of_slope(log_slope, &speeds, true);

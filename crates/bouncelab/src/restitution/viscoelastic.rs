@@ -21,7 +21,7 @@ pub(super) const LAW: Law = Law {
     of_normals: |restitution, _, speeds| {
         Restitution::viscoelastic_through(restitution, speeds.reference_m_s)
     },
-    start: [0.0; 3],
+    start: [0.0; super::law::MAX_SHAPES],
     normal_of_slope: None,
     slope_from_few_flights: false,
 };
