@@ -245,7 +245,7 @@ impl Numbers {
             self.add(format!("{name} weight"), impact.weight);
         }
         for model in &posterior.models {
-            let name = format!("model {} {}", model.restitution_law, model.drag_law.name());
+            let name = format!("model {} {}", model.restitution_law, model.ball);
             self.add(format!("{name} probability"), model.probability);
             self.add(format!("{name} log evidence"), model.log_evidence);
             self.estimate(&format!("{name} restitution"), model.restitution);

@@ -64,6 +64,17 @@ impl Estimate {
         })
     }
 
+    /// The same value with intervals that hold those of another estimate too.
+    #[must_use]
+    pub(crate) fn covering(self, other: &Self) -> Self {
+        let both = |[low, high]: [f64; 2], other: [f64; 2]| [low.min(other[0]), high.max(other[1])];
+        Self {
+            interval68: both(self.interval68, other.interval68),
+            interval95: both(self.interval95, other.interval95),
+            ..self
+        }
+    }
+
     /// A normally distributed quantity.
     pub fn normal(value: f64, sd: f64) -> Self {
         Self::with_tails(value, sd, |share| {

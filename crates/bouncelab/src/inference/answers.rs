@@ -2,6 +2,7 @@
 
 use super::candidates::{FittedSpeeds, SampledPosterior};
 use super::likelihood::Innovation;
+use super::medium::Medium;
 use super::parameters::{
     MAX_REMAINING_RESTITUTION, MAX_TERMINAL_SPEED_STEPS, MIN_SHARE_AT_REST, NEWTON_TOLERANCE,
     ROUND_SPEEDS_M_S, THINNING,
@@ -10,14 +11,13 @@ use super::pool::DrawnDrop;
 use super::posterior::{Draws, ImpactPosterior, Model, Posterior, Sampling};
 use super::predict::Rest;
 use super::priors::Measured;
-use super::smoothing::DropState;
 use super::unknowns::Point;
 use super::{ApexTarget, InferenceOptions, Prediction, budget, findings, identify, predict};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::drag::DragLaw;
 use crate::error::{Error, InferenceFailure, Result};
 use crate::estimate::Estimate;
-use crate::flight::{Environment, FlightModel};
+use crate::flight::FlightModel;
 use crate::stats::sort_by_number;
 
 /// The drag of the ball.
@@ -85,7 +85,7 @@ impl Answers {
         speeds: FittedSpeeds,
         inference: &InferenceOptions,
     ) -> Option<Posterior> {
-        let of = |values: &[f64]| Estimate::of_draws(values.iter().copied());
+        let of = |values: &[f64]| posterior.estimate(1, values.iter().copied());
         let innovations = posterior.innovations();
         let weights = weights(&posterior, &innovations);
         let sigma_s = &posterior.observed().sigma_s;
@@ -100,6 +100,11 @@ impl Answers {
         };
         let rest: Vec<Rest> = drops.iter().filter_map(|drop| drop.rest).collect();
         let rests = rest.len() as f64 >= MIN_SHARE_AT_REST * drops.len() as f64 && !rest.is_empty();
+        let of_rest = |number: fn(Rest) -> f64| {
+            let numbers = drops.iter().map(|drop| drop.rest.map_or(f64::NAN, number));
+            posterior.estimate(THINNING, numbers).filter(|_| rests)
+        };
+        let (total_time_s, total_path_m) = (of_rest(|it| it.time_s), of_rest(|it| it.path_m));
         let rest = if rests { rest } else { Vec::new() };
         let drag_coefficient = self.drag_coefficients(&posterior);
         let drag = self.drag(&posterior, &drag_coefficient);
@@ -131,8 +136,8 @@ impl Answers {
             restitution_scatter,
             timing_s: of(&self.of_points(|point| point.timing * rms_s))?,
             contact_time_s: of(&contact_time_s)?,
-            total_time_s: Estimate::of_draws(rest.iter().map(|rest| rest.time_s)),
-            total_path_m: Estimate::of_draws(rest.iter().map(|rest| rest.path_m)),
+            total_time_s,
+            total_path_m,
             missed_first_impacts: missed_first(&posterior),
             first_is_other_sound: other_sound(&posterior),
             predictions: predictions(&posterior, &inference.reach),
@@ -183,11 +188,14 @@ impl Answers {
         if environment.air.is_vacuum() || environment.drag == DragLaw::None {
             return Vec::new();
         }
-        let reynolds = fastest_reynolds(posterior);
         let nominal: Vec<f64> = posterior
             .media
             .iter()
-            .map(|medium| medium.drag_law.coefficient(reynolds).unwrap_or(f64::NAN))
+            .map(|medium| {
+                let reynolds = fastest_reynolds(posterior, medium);
+                let coefficient = environment.drag.coefficient(reynolds);
+                coefficient.unwrap_or(f64::NAN)
+            })
             .collect();
         let of_draw = posterior.draws.iter().zip(&self.points);
         of_draw
@@ -198,55 +206,48 @@ impl Answers {
     }
 
     fn drag(&self, posterior: &SampledPosterior, coefficients: &[f64]) -> Option<Drag> {
-        let environment = &posterior.environment;
-        let coefficient = Estimate::of_draws(coefficients.iter().copied())?;
-        let reynolds = fastest_reynolds(posterior);
-        let nominal = environment.drag.coefficient(reynolds).ok()?;
-        let models: Vec<FlightModel> = posterior
-            .media
-            .iter()
-            .map(|medium| {
-                let environment = Environment {
-                    drag: medium.drag_law,
-                    ..*environment
-                };
-                FlightModel::new(&posterior.ball, &environment)
-            })
-            .collect::<Result<_>>()
-            .ok()?;
+        let coefficient = posterior.estimate(1, coefficients.iter().copied())?;
+        let best = &posterior.media[posterior.candidates[0].medium];
+        let reynolds = fastest_reynolds(posterior, best);
+        let nominal = posterior.environment.drag.coefficient(reynolds).ok()?;
         let of_draw = posterior.draws.iter().zip(&self.points);
-        let terminal = of_draw.step_by(THINNING).filter_map(|(draw, point)| {
-            let medium = posterior.candidates[draw.candidate].medium;
-            terminal_speed(&models[medium], point.drag_strength)
+        let terminal = of_draw.step_by(THINNING).map(|(draw, point)| {
+            let medium = &posterior.media[posterior.candidates[draw.candidate].medium];
+            terminal_speed(&medium.model, point.drag_strength).unwrap_or(f64::NAN)
         });
         Some(Drag {
             coefficient,
             reynolds,
             prior: Measured {
                 value: nominal,
-                sd: nominal * posterior.priors.drag_rel_sd,
+                sd: nominal * best.drag_sd,
             },
-            terminal_speed_m_s: Estimate::of_draws(terminal),
+            terminal_speed_m_s: posterior.estimate(THINNING, terminal),
         })
     }
 
     /// Gravity itself, of which the effective gravity is only a part: the rest of what moved that
     /// belongs to buoyancy and added mass.
     fn environment_gravity(&self, posterior: &SampledPosterior) -> Vec<f64> {
-        let medium = &posterior.media[posterior.candidates[0].medium];
-        let share = medium.inputs.gravity_share();
         let stated = posterior.environment.gravity_m_s2;
-        self.of_points(|point| stated * (point.gravity_m_s2 / medium.gravity_m_s2).powf(share))
+        let of_draw = posterior.draws.iter().zip(&self.points);
+        of_draw
+            .map(|(draw, point)| {
+                let medium = &posterior.media[posterior.candidates[draw.candidate].medium];
+                let change = point.gravity_m_s2 / medium.gravity_m_s2;
+                stated * change.powf(medium.inputs.gravity_share())
+            })
+            .collect()
     }
 
     /// The table of models, with the numbers of missed impacts added up.
     fn models(&self, posterior: &SampledPosterior) -> Vec<Model> {
         let mut models: Vec<Model> = Vec::new();
         for candidate in &posterior.candidates {
-            let drag = posterior.media[candidate.medium].drag_law;
+            let ball = posterior.media[candidate.medium].kind;
             let known = models
                 .iter_mut()
-                .find(|model| model.restitution_law == candidate.law && model.drag_law == drag);
+                .find(|model| model.restitution_law == candidate.law && model.ball == ball);
             if let Some(model) = known {
                 model.probability += candidate.weight;
                 continue;
@@ -261,7 +262,7 @@ impl Answers {
             };
             models.push(Model {
                 restitution_law: candidate.law,
-                drag_law: drag,
+                ball,
                 probability: candidate.weight,
                 log_evidence: 0.0,
                 restitution: of_model(&self.restitution),
@@ -278,22 +279,23 @@ impl Answers {
 }
 
 /// The Reynolds number of the fastest impact detected, where drag is strongest.
-fn fastest_reynolds(posterior: &SampledPosterior) -> f64 {
+fn fastest_reynolds(posterior: &SampledPosterior, medium: &Medium) -> f64 {
     let air = &posterior.environment.air;
-    air.reynolds(&posterior.ball, posterior.reference.speeds.fastest_m_s)
+    air.reynolds(&medium.ball, posterior.reference.speeds.fastest_m_s)
 }
 
 fn predictions(posterior: &SampledPosterior, reach: &[ApexTarget]) -> Vec<Prediction> {
     let height = |reach: ApexTarget| {
         posterior.each(THINNING, |model, point| {
-            predict::drop_height_for(model, point, reach.bounce, reach.apex_m)
+            let height_m = predict::drop_height_for(model, point, reach.bounce, reach.apex_m);
+            Some(height_m.unwrap_or(f64::NAN))
         })
     };
     reach
         .iter()
         .map(|&target| Prediction {
             target,
-            drop_height_m: Estimate::of_draws(height(target)),
+            drop_height_m: posterior.estimate(THINNING, height(target)),
         })
         .collect()
 }
@@ -357,10 +359,6 @@ fn detected(
     innovations: &[Innovation],
     weights: &[f64],
 ) -> Vec<ImpactPosterior> {
-    let mass_kg = FlightModel::new(&posterior.ball, &posterior.environment)
-        .ok()
-        .and_then(|model| model.moving_mass_kg())
-        .unwrap_or(posterior.ball.mass_kg());
     let intervals = &posterior.observed().intervals;
     let impacts = posterior.observed().impacts.iter().enumerate();
     let left_out = usize::from(posterior.observed().other_sound.is_some());
@@ -369,35 +367,37 @@ fn detected(
             let launches = intervals.get(index).is_some();
             let single = intervals.get(index).is_some_and(|s| s.flights == 1);
             let innovation = innovation_of(innovations, intervals.len(), index);
-            let energy =
-                |faster: f64, slower: f64| 0.5 * mass_kg * (faster * faster - slower * slower);
+            let energy = |drop: &DrawnDrop, faster: f64, slower: f64| {
+                0.5 * drop.mass_kg * (faster * faster - slower * slower)
+            };
             // A drop without the first impact detected has no state of it.
             let index_in =
                 |drop: &DrawnDrop| (index + left_out).checked_sub(usize::from(drop.without_first));
-            let when = |possible: bool, value: &dyn Fn(&DropState, usize) -> f64| {
-                let values = drops
-                    .iter()
-                    .filter_map(|drop| Some(value(&drop.state, index_in(drop)?)));
+            let when = |possible: bool, value: &dyn Fn(&DrawnDrop, usize) -> f64| {
+                let values = drops.iter().map(|drop| {
+                    let index = index_in(drop);
+                    index.map_or(f64::NAN, |index| value(drop, index))
+                });
                 if possible {
-                    Estimate::of_draws(values)
+                    posterior.estimate(THINNING, values)
                 } else {
                     None
                 }
             };
-            let before = |state: &DropState, index: usize| state.impact_speeds[index];
-            let after = |state: &DropState, index: usize| state.launch_speeds[index];
+            let before = |drop: &DrawnDrop, index: usize| drop.state.impact_speeds[index];
+            let after = |drop: &DrawnDrop, index: usize| drop.state.launch_speeds[index];
             Some(ImpactPosterior {
                 number: impact.number,
                 impact_speed_m_s: when(true, &before)?,
-                restitution: when(launches, &|state, index| {
-                    after(state, index) / before(state, index)
+                restitution: when(launches, &|drop, index| {
+                    after(drop, index) / before(drop, index)
                 }),
-                apex_m: when(launches, &|state, index| state.apexes_m[index]),
-                lost_to_surface_j: when(launches, &|state, index| {
-                    energy(before(state, index), after(state, index))
+                apex_m: when(launches, &|drop, index| drop.state.apexes_m[index]),
+                lost_to_surface_j: when(launches, &|drop, index| {
+                    energy(drop, before(drop, index), after(drop, index))
                 }),
-                lost_to_air_j: when(single, &|state, index| {
-                    energy(after(state, index), before(state, index + 1))
+                lost_to_air_j: when(single, &|drop, index| {
+                    energy(drop, after(drop, index), before(drop, index + 1))
                 }),
                 standardised_residual: innovation.map(|i| i.standardised),
                 weight: weights[index],

@@ -14,6 +14,7 @@ use super::likelihood::Differences;
 use super::parameters::DIFFERENCE_STEP;
 use super::residual::Noise;
 use super::unknowns::{Model, Slot};
+use crate::restitution::MAX_SHAPES;
 use crate::simd::Lanes;
 use crate::stats::sort_by_number;
 
@@ -56,15 +57,18 @@ pub(super) fn budget(
     let model = posterior.model(candidate);
     let vector = candidate.fit.vector.as_slice();
     let linear = Linear::new(&model, vector)?;
-    let [between_laws, between_missed] = between(posterior, [restitution, drop_height_m]);
+    let [between_laws, between_balls, between_missed] =
+        between(posterior, [restitution, drop_height_m]);
     let restitution =
         |model: &Model, vector: &[f64]| Some(model.point(vector)?.law.at(at_speed_m_s));
     let height = |model: &Model, vector: &[f64]| model.drop_height_m(&model.point(vector)?);
     let mut of_restitution = linear.sources(&gradient(&model, vector, restitution)?, &model);
     of_restitution.push(("choice-of-law", between_laws[0]));
+    of_restitution.push(("choice-of-ball", between_balls[0]));
     of_restitution.push(("number-of-impacts", between_missed[0]));
     let mut of_height = linear.sources(&gradient(&model, vector, height)?, &model);
     of_height.push(("choice-of-law", between_laws[1]));
+    of_height.push(("choice-of-ball", between_balls[1]));
     of_height.push(("number-of-impacts", between_missed[1]));
     Some(Budget {
         restitution: shares(of_restitution),
@@ -123,7 +127,9 @@ impl Linear {
         let of_slot = |slot: Slot| model.index(slot).map_or(0.0, |index| response[index]);
         sources.push((
             "restitution-slope",
-            (0..3).map(|n| of_slot(Slot::Shape(n)).powi(2)).sum(),
+            (0..MAX_SHAPES)
+                .map(|n| of_slot(Slot::Shape(n)).powi(2))
+                .sum(),
         ));
         if model.height_m.is_some() {
             sources.push(("measured-height", of_slot(Slot::Height).powi(2)));
@@ -194,9 +200,10 @@ fn gradient(
     Some(gradient)
 }
 
-/// Variance of the means of quantities of each draw between laws, and between numbers of missed impacts.
-fn between(posterior: &SampledPosterior, quantities: [&[f64]; 2]) -> [[f64; 2]; 2] {
-    let law = |it: &Candidate| it.law as usize * posterior.media.len() + it.medium;
+/// Variance of the means of quantities of each draw between laws, between balls, and between numbers of missed impacts.
+fn between(posterior: &SampledPosterior, quantities: [&[f64]; 2]) -> [[f64; 2]; 3] {
+    let law = |it: &Candidate| it.law as usize;
+    let ball = |it: &Candidate| it.medium;
     let missed = |it: &Candidate| it.missed_first * posterior.numberings.len() + it.numbering;
     let variance = |key: &dyn Fn(&Candidate) -> usize, values: &[f64]| {
         let of_draw = posterior.draws.iter().zip(values);
@@ -206,6 +213,7 @@ fn between(posterior: &SampledPosterior, quantities: [&[f64]; 2]) -> [[f64; 2]; 
     };
     [
         quantities.map(|values| variance(&law, values)),
+        quantities.map(|values| variance(&ball, values)),
         quantities.map(|values| variance(&missed, values)),
     ]
 }

@@ -5,10 +5,15 @@ use super::likelihood::Innovation;
 use super::medium::Medium;
 use super::numbering;
 use super::observed::Observed;
+<<<<<<< HEAD
 use super::parameters::{
     LN_MISSED_FIRST, LN_UNHEARD, MAX_MISSED_FIRST, OTHER_FIRST, PRUNE_BELOW,
 };
+=======
+use super::parameters::{ALLOWED_BALL, LN_MISSED_FIRST, LN_UNHEARD, MAX_MISSED_FIRST, PRUNE_BELOW};
+>>>>>>> ad5d41f5 (Infer a drop of an unstated ball from every kind that may be)
 use super::pool::{Pool, SamplerConfig};
+use super::possible_balls::PossibleBall;
 use super::priors::Priors;
 use super::reference_speed::ReferenceSpeed;
 use super::sample::Sample;
@@ -27,7 +32,7 @@ use crate::train::LN_MISSED;
 #[derive(Debug, Clone)]
 pub(super) struct Candidate {
     pub(super) law: LawKind,
-    /// Index of its medium, which has a drag law.
+    /// Index of its ball among the media.
     pub(super) medium: usize,
     pub(super) missed_first: usize,
     /// Index of its numbering.
@@ -65,8 +70,6 @@ pub(super) struct SampledPosterior {
     pub(super) media: Vec<Medium>,
     pub(super) reference: ReferenceSpeed,
     pub(super) priors: Priors,
-    pub(super) ball: Ball,
-    /// As given, with the drag law of the first of the media.
     pub(super) environment: Environment,
     /// Most probable first.
     pub(super) candidates: Vec<Candidate>,
@@ -120,7 +123,13 @@ impl SampledPosterior {
         priors: &Priors,
     ) -> Result<Self> {
         priors.check()?;
-        let observed = Observed::new(impacts, contact_time_s)?;
+        let balls = if priors.possible_balls.is_empty() {
+            vec![PossibleBall::stated(*ball, contact_time_s, priors)]
+        } else {
+            priors.possible_balls.clone()
+        };
+        let contact_times_s = balls.iter().map(|possible| possible.known.contact_time_s);
+        let observed = Observed::new(impacts, contact_times_s.fold(f64::INFINITY, f64::min))?;
         if let Some(release) = priors.release_s {
             within(
                 Quantity::ReleaseTime,
@@ -128,6 +137,7 @@ impl SampledPosterior {
                 ..observed.impacts[0].time_s,
             )?;
         }
+<<<<<<< HEAD
         let media = vec![Medium::new(
             ball,
             environment,
@@ -145,6 +155,11 @@ impl SampledPosterior {
             }
         }
         let numberings = numberings.into_iter().map(|observed| Numbering {
+=======
+        let (media, reference) = media(&balls, environment, &observed, priors)?;
+        let numberings = numbering::plausible(&observed).into_iter();
+        let numberings = numberings.map(|observed| Numbering {
+>>>>>>> ad5d41f5 (Infer a drop of an unstated ball from every kind that may be)
             flights: media
                 .iter()
                 .map(|medium| TimedFlights::new(&observed, medium))
@@ -156,7 +171,6 @@ impl SampledPosterior {
             media,
             reference,
             priors: priors.clone(),
-            ball: *ball,
             environment: *environment,
             candidates: Vec::new(),
             contradictions: Vec::new(),
@@ -170,7 +184,9 @@ impl SampledPosterior {
         if posterior.candidates.is_empty() {
             return Err(Error::CannotInfer(InferenceFailure::NoModelFits));
         }
-        weigh(&mut posterior.candidates);
+        let mut candidates = std::mem::take(&mut posterior.candidates);
+        posterior.weigh(&mut candidates);
+        posterior.candidates = candidates;
         Ok(posterior)
     }
 
@@ -408,6 +424,42 @@ impl SampledPosterior {
             }
     }
 
+    /// Sorts by evidence, and turns evidence into probability. If the ball was not stated, each ball that the times allow is
+    /// as probable as the others: which laws and errors surfaces have is not known well enough for odds between balls.
+    pub(super) fn weigh(&self, candidates: &mut [Candidate]) {
+        sort_by_number(candidates, |candidate| -candidate.log_evidence);
+        let of_ball = |ball: usize| {
+            let its = candidates.iter().filter(move |it| it.medium == ball);
+            scaled_sum(its.map(|candidate| candidate.log_evidence))
+        };
+        let balls: Vec<f64> = (0..self.media.len())
+            .map(|ball| {
+                let (sum, greatest) = of_ball(ball);
+                sum.ln() + greatest
+            })
+            .collect();
+        let most = balls.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let allowed = balls.iter().filter(|ball| **ball >= most - ALLOWED_BALL);
+        let share = 1.0 / allowed.count().max(1) as f64;
+        for candidate in candidates {
+            let ball = balls[candidate.medium];
+            candidate.weight = if ball >= most - ALLOWED_BALL {
+                (candidate.log_evidence - ball).exp() * share
+            } else {
+                0.0
+            };
+        }
+    }
+
+    /// Number of balls that the times allow; 1 if the ball was stated.
+    pub(super) fn allowed_balls(&self, candidates: &[Candidate]) -> usize {
+        let is_allowed = |ball: &usize| {
+            let mut its = candidates.iter().filter(|it| it.medium == *ball);
+            its.any(|it| it.weight > 0.0)
+        };
+        (0..self.media.len()).filter(is_allowed).count().max(1)
+    }
+
     /// Frees the memory of the flights, which is that of the draws again; they are computed anew when they are needed.
     pub(super) fn forget_flights(&mut self) {
         for medium in &mut self.media {
@@ -452,6 +504,40 @@ impl SampledPosterior {
     }
 }
 
+/// Each ball that can be dropped so, and the speeds by the first of them.
+///
+/// # Errors
+/// That of the first ball, if there is none.
+fn media(
+    balls: &[PossibleBall],
+    environment: &Environment,
+    observed: &Observed,
+    priors: &Priors,
+) -> Result<(Vec<Medium>, ReferenceSpeed)> {
+    let tried = balls.iter().map(|possible| {
+        observed.check_contact_time(possible.known.contact_time_s)?;
+        let medium = Medium::new(possible, environment, observed, priors)?;
+        let reference = ReferenceSpeed::new(observed, &medium)?;
+        Ok((medium, reference))
+    });
+    let (mut media, mut first, mut refused) = (Vec::new(), None, None);
+    for tried in tried {
+        match tried {
+            Ok((medium, reference)) => {
+                media.push(medium);
+                first.get_or_insert(reference);
+            }
+            Err(reason) => {
+                refused.get_or_insert(reason);
+            }
+        }
+    }
+    let none_fits = || refused.unwrap_or(Error::CannotInfer(InferenceFailure::NoModelFits));
+    first
+        .map(|reference| (media, reference))
+        .ok_or_else(none_fits)
+}
+
 /// The highest evidence of the candidates.
 pub(super) fn best_evidence<'a>(candidates: impl IntoIterator<Item = &'a Candidate>) -> f64 {
     let evidences = candidates
@@ -479,15 +565,8 @@ fn highest_posterior(candidates: &[Candidate], numbering: usize) -> f64 {
         .fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Sorts by evidence, and turns evidence into probability.
-pub(super) fn weigh(candidates: &mut [Candidate]) {
-    sort_by_number(candidates, |candidate| -candidate.log_evidence);
-    let best = best_evidence(&*candidates);
-    let total: f64 = candidates
-        .iter()
-        .map(|candidate| (candidate.log_evidence - best).exp())
-        .sum();
-    for candidate in candidates {
-        candidate.weight = (candidate.log_evidence - best).exp() / total;
-    }
+/// Sum of exp(x - greatest), and the greatest.
+fn scaled_sum(logs: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
+    let greatest = logs.clone().fold(f64::NEG_INFINITY, f64::max);
+    (logs.map(|log| (log - greatest).exp()).sum(), greatest)
 }

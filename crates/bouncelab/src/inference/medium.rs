@@ -1,7 +1,8 @@
-//! Ball, air and gravity under one drag law, with their uncertainties.
+//! A ball in air under gravity, with their uncertainties.
 
 use super::observed::Observed;
 use super::parameters::{TABLE_REACH, TABLE_STEPS};
+use super::possible_balls::PossibleBall;
 use super::priors::Priors;
 use crate::ball::Ball;
 use crate::drag::DragLaw;
@@ -9,10 +10,14 @@ use crate::error::Result;
 use crate::flight::table::{DragProfile, FlightTables};
 use crate::flight::{Environment, FlightModel};
 
-/// Ball, air and gravity under one drag law, with their uncertainties.
+/// A ball in air under gravity, with their uncertainties.
 #[derive(Debug, Clone)]
 pub(super) struct Medium {
-    pub(super) drag_law: DragLaw,
+    /// Kind of the ball, if it was not stated.
+    pub(super) kind: &'static str,
+    pub(super) ball: Ball,
+    /// Flights with the nominal drag and gravity.
+    pub(super) model: FlightModel,
     pub(super) flights: FlightTables,
     /// Effective gravity, m/s².
     pub(super) gravity_m_s2: f64,
@@ -37,36 +42,38 @@ pub(super) struct Inputs {
 
 impl Medium {
     pub(super) fn new(
-        ball: &Ball,
+        possible: &PossibleBall,
         environment: &Environment,
-        drag_law: DragLaw,
-        contact_time_s: f64,
         observed: &Observed,
         priors: &Priors,
     ) -> Result<Self> {
-        let environment = Environment {
-            drag: drag_law,
-            ..*environment
-        };
-        let model = FlightModel::new(ball, &environment)?;
+        let priors = possible.inform(priors);
+        let model = FlightModel::new(&possible.known.ball, environment)?;
         let gravity_m_s2 = model.gravity_m_s2();
         let mut fastest = 0.5 * gravity_m_s2 * observed.longest_flight_s();
         if let Some(height) = priors.drop_height_m {
             fastest = fastest.max((2.0 * gravity_m_s2 * height.value).sqrt());
         }
-        let dragless = drag_law == DragLaw::None || environment.air.is_vacuum();
+        let dragless = environment.drag == DragLaw::None || environment.air.is_vacuum();
         // Higher for drag, and for the fall before a dead first impact.
         let reach = (2.0 / observed.first_ratio()).clamp(TABLE_REACH[0], TABLE_REACH[1]);
         let steps = (TABLE_STEPS * reach) as usize;
         Ok(Self {
-            drag_law,
+            kind: possible.kind,
+            ball: possible.known.ball,
             flights: FlightTables::new(DragProfile::new(&model, reach * fastest, steps)?),
             gravity_m_s2,
             drag_sd: if dragless { 0.0 } else { priors.drag_rel_sd },
-            contact_time_s,
+            contact_time_s: possible.known.contact_time_s,
             contact_sd: priors.contact_time_rel_sd,
-            inputs: Inputs::new(ball, &environment, priors, dragless),
+            inputs: Inputs::new(&possible.known.ball, environment, &priors, dragless),
+            model,
         })
+    }
+
+    /// Mass of the ball, with that of the air that moves with it, kg.
+    pub(super) fn mass_kg(&self) -> f64 {
+        self.model.moving_mass_kg().unwrap_or(self.ball.mass_kg())
     }
 }
 

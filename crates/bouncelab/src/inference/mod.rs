@@ -57,6 +57,7 @@ mod observed;
 mod order;
 mod parameters;
 mod pool;
+mod possible_balls;
 mod posterior;
 mod predict;
 mod priors;
@@ -75,6 +76,7 @@ pub use budget::{Budget, Share};
 pub use identify::{Correlations, PriorContraction, Unknown};
 pub use parameters::{MAX_PARETO_SHAPE, UNINFORMATIVE, UNKNOWN};
 pub use pool::SamplerConfig;
+pub use possible_balls::PossibleBall;
 pub use posterior::{BandPoint, Draws, ImpactPosterior, Model, Posterior, Sampling};
 pub use priors::{Measured, Priors};
 

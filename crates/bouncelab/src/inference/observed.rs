@@ -41,7 +41,7 @@ impl Observed {
         in_order("impact", impacts.iter().map(|impact| impact.number))?;
         let mut intervals = Vec::with_capacity(impacts.len() - 1);
         for pair in impacts.windows(2) {
-            intervals.push(interval(&pair[0], &pair[1], contact_time_s)?);
+            intervals.push(interval(&pair[0], &pair[1])?);
         }
         let stated: Option<Vec<f64>> = impacts.iter().map(|i| i.time_sd_s).collect();
         for &sigma_s in stated.iter().flatten() {
@@ -49,13 +49,39 @@ impl Observed {
         }
         let sigma_stated = stated.is_some();
         let sigma_s = stated.unwrap_or_else(|| vec![read_off_s(impacts); impacts.len()]);
-        Ok(Self {
+        let observed = Self {
             impacts: impacts.to_vec(),
             intervals,
             sigma_s: sigma_s.into_iter().map(|s| s.max(MIN_TIME_SD_S)).collect(),
             sigma_stated,
+<<<<<<< HEAD
             other_sound: None,
         })
+=======
+        };
+        observed.check_contact_time(contact_time_s)?;
+        Ok(observed)
+    }
+
+    /// Whether the contact of a ball ends before its next one begins.
+    ///
+    /// # Errors
+    /// [`Error::CannotInfer`] with the first interval that is no longer than the contacts in it.
+    pub(super) fn check_contact_time(&self, contact_time_s: f64) -> Result<()> {
+        let pairs = self.impacts.windows(2).zip(&self.intervals);
+        for (pair, interval) in pairs {
+            if interval.duration_s <= contact_time_s * interval.flights as f64 {
+                return Err(Error::CannotInfer(InferenceFailure::ContactOverlaps {
+                    first: pair[0].number,
+                    second: pair[1].number,
+                    time_s: pair[0].time_s,
+                    interval_s: interval.duration_s,
+                    contact_time_s,
+                }));
+            }
+        }
+        Ok(())
+>>>>>>> ad5d41f5 (Infer a drop of an unstated ball from every kind that may be)
     }
 
     /// The same impacts with other numbers of flights between them.
@@ -98,18 +124,9 @@ impl Observed {
     }
 }
 
-fn interval(from: &Impact, to: &Impact, contact_time_s: f64) -> Result<Interval> {
+fn interval(from: &Impact, to: &Impact) -> Result<Interval> {
     let (duration_s, flights) = (to.time_s - from.time_s, to.number - from.number);
     positive(Quantity::Interval, duration_s)?;
-    if duration_s <= contact_time_s * flights as f64 {
-        return Err(Error::CannotInfer(InferenceFailure::ContactOverlaps {
-            first: from.number,
-            second: to.number,
-            time_s: from.time_s,
-            interval_s: duration_s,
-            contact_time_s,
-        }));
-    }
     if flights > MAX_MISSED + 1 {
         return Err(Error::CannotInfer(InferenceFailure::MissedInARow {
             missed: flights - 1,

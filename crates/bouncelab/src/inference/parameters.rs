@@ -191,6 +191,9 @@ pub(super) const RELEVANT_WEIGHT: f64 = 0.05;
 /// draw in a thousand would come from it.
 pub(super) const PRUNE_BELOW: f64 = 7.0;
 
+/// A ball is possible unless the log evidence of another is higher by more than this: odds of 1 to 20.
+pub(super) const ALLOWED_BALL: f64 = 3.0;
+
 /// Logarithm of the prior probability of one more impact before the first one detected: half as likely.
 pub(super) const LN_MISSED_FIRST: f64 = -LN_2;
 

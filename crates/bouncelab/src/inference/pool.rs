@@ -5,7 +5,7 @@ use std::array;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::candidates::{Candidate, SampledPosterior, best_evidence, weigh};
+use super::candidates::{Candidate, SampledPosterior, best_evidence};
 use super::fit;
 use super::order::order;
 use super::parameters::{MANY_FLIGHTS, MIN_PART_OF_DRAWS, PRUNE_BELOW, RELEVANT_WEIGHT, THINNING};
@@ -13,6 +13,7 @@ use super::predict::{self, Future, Rest};
 use super::sample;
 use super::smoothing::DropState;
 use super::unknowns::{Model, Point};
+use crate::estimate::Estimate;
 use crate::restitution::Restitution;
 use crate::simd::{LANES, one_for_each_lane};
 
@@ -105,14 +106,15 @@ impl SampledPosterior {
         let best = best_evidence(&self.candidates);
         let mut candidates = std::mem::take(&mut self.candidates);
         candidates.retain(|candidate| candidate.log_evidence > best - 2.0 * PRUNE_BELOW);
-        weigh(&mut candidates);
+        self.weigh(&mut candidates);
+        let draws_requested = sampler.draws * self.allowed_balls(&candidates);
         for candidate in &mut candidates {
             if candidate.log_evidence < best - PRUNE_BELOW {
                 continue;
             }
             self.scale_restitution_by_noise(candidate);
             let model = self.model(candidate);
-            let draws = (sampler.draws as f64 * candidate.weight) as usize;
+            let draws = (draws_requested as f64 * candidate.weight) as usize;
             let sample = sample::sample(
                 &model,
                 &candidate.fit,
@@ -124,9 +126,9 @@ impl SampledPosterior {
                 candidate.sample = Some(sample);
             }
         }
-        weigh(&mut candidates);
+        self.weigh(&mut candidates);
         self.candidates = candidates;
-        self.draws = self.pooled(sampler);
+        self.draws = self.pooled(draws_requested, sampler.seed);
         for sample in self.candidates.iter_mut().filter_map(|c| c.sample.as_mut()) {
             sample.forget_draws();
         }
@@ -155,15 +157,14 @@ impl SampledPosterior {
     /// are added up in an order in which neighbours are alike, and a draw is taken at each of a number of equal distances from
     /// a random start. So the answers scatter less over seeds than in the order drawn (M. Gerber, N. Chopin and N. Whiteley,
     /// Ann. Stat. 47, 2236, 2019).
-    fn pooled(&self, sampler: &SamplerConfig) -> Pool {
-        let draws = sampler.draws;
+    fn pooled(&self, draws: usize, seed: u64) -> Pool {
         let sampled: f64 = self
             .candidates
             .iter()
             .filter(|candidate| candidate.sample.is_some())
             .map(|candidate| candidate.weight)
             .sum();
-        let offset: f64 = ChaCha8Rng::seed_from_u64(sampler.seed).random();
+        let offset: f64 = ChaCha8Rng::seed_from_u64(seed).random();
         let distance = sampled / draws as f64;
         let mut next = offset * distance;
         let mut sum = 0.0;
@@ -245,12 +246,44 @@ impl SampledPosterior {
                     .zip(rests)
                     .map(|(state, rest)| DrawnDrop {
                         state,
+<<<<<<< HEAD
                         without_first,
                         rest,
+=======
+                        rest,
+                        mass_kg: model.medium.mass_kg(),
+>>>>>>> ad5d41f5 (Infer a drop of an unstated ball from every kind that may be)
                     }),
             );
         }
         drops
+    }
+
+    /// The summary of a number of one of every `every` draws, in their order. If the ball was not stated, the intervals hold
+    /// those of each ball that the times allow: which of them it is must not decide whether they are right.
+    pub(super) fn estimate(
+        &self,
+        every: usize,
+        values: impl IntoIterator<Item = f64>,
+    ) -> Option<Estimate> {
+        let values: Vec<f64> = values.into_iter().collect();
+        let all = Estimate::of_draws(values.iter().copied());
+        if self.media.len() == 1 {
+            return all;
+        }
+        let draws = self.draws.iter().step_by(every);
+        let balls: Vec<usize> = draws
+            .map(|draw| self.candidates[draw.candidate].medium)
+            .collect();
+        let of_ball = |ball: usize| {
+            let its = balls
+                .iter()
+                .zip(&values)
+                .filter(move |(of, _)| **of == ball);
+            Estimate::of_draws(its.map(|(_, value)| *value))
+        };
+        let each = (0..self.media.len()).filter_map(of_ball);
+        all.map(|all| each.fold(all, |all, ball| all.covering(&ball)))
     }
 
     /// The restitution laws of one of every `every` draws.
@@ -293,6 +326,8 @@ pub(super) struct DrawnDrop {
     pub(super) without_first: bool,
     /// Time and path to rest, if it comes to rest.
     pub(super) rest: Option<Rest>,
+    /// Mass that moves with the ball, kg.
+    pub(super) mass_kg: f64,
 }
 
 /// A drop for each point, with the random numbers of its future; `None` if one of the points is not valid.

@@ -8,7 +8,6 @@ use super::parameters::{BAND_ENDS, BAND_POINTS, OUTLIER_WEIGHT, THINNING};
 use super::predict;
 use super::priors::Measured;
 use crate::diagnostic::Diagnostic;
-use crate::drag::DragLaw;
 use crate::estimate::Estimate;
 use crate::restitution::LawKind;
 
@@ -135,9 +134,8 @@ pub struct Model {
     /// Restitution law.
     #[cfg_attr(feature = "typescript", ts(type = "string"))]
     pub restitution_law: LawKind,
-    /// Drag law, which has a scale.
-    #[cfg_attr(feature = "typescript", ts(type = "string"))]
-    pub drag_law: DragLaw,
+    /// The kind of ball, if it was not stated; else empty.
+    pub ball: &'static str,
     /// Its posterior probability, over all numbers of missed impacts.
     pub probability: f64,
     /// Logarithm of its evidence above that of the best.
@@ -236,7 +234,7 @@ impl Posterior {
     /// ```
     pub fn restitution_at(&self, speed_m_s: f64) -> Option<Estimate> {
         let laws = self.sampled.laws_drawn(1);
-        Estimate::of_draws(laws.map(|law| law.at(speed_m_s)))
+        self.sampled.estimate(1, laws.map(|law| law.at(speed_m_s)))
     }
 
     /// The apex after the first impact of a drop of this ball from a height, both of the lowest point
@@ -292,7 +290,10 @@ impl Posterior {
         let laws = self.sampled.laws_drawn(THINNING);
         let draws: Vec<Vec<f64>> = laws.map(|law| law.at_each(speeds_m_s)).collect();
         (0..speeds_m_s.len())
-            .map(|index| Estimate::of_draws(draws.iter().map(|draw| draw[index])))
+            .map(|index| {
+                let restitutions = draws.iter().map(|draw| draw[index]);
+                self.sampled.estimate(THINNING, restitutions)
+            })
             .collect()
     }
 

@@ -1,6 +1,7 @@
 //! Measurements and priors besides the impact times.
 
 use super::parameters::UNKNOWN;
+use super::possible_balls::PossibleBall;
 use super::scatter_prior;
 use crate::ball::KnownBall;
 use crate::diagnostic::{Code, Diagnostic};
@@ -24,9 +25,11 @@ pub struct Measured {
 /// [`UNKNOWN`] leaves it to the data. They are the priors of the inference; the defaults are those of a ball
 /// and of ambient conditions that were not measured.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Priors {
+    /// The balls that it may be, each as probable as the others before the data, if nobody stated which; if empty, it is
+    /// the given one.
+    pub possible_balls: Vec<PossibleBall>,
     /// Height of the lowest point of the ball above the surface at release, m.
     pub drop_height_m: Option<Measured>,
     /// When the ball was released, s, in the time of the impacts.
@@ -69,6 +72,7 @@ pub struct Priors {
 impl Default for Priors {
     fn default() -> Self {
         Self {
+            possible_balls: Vec::new(),
             drop_height_m: None,
             release_s: None,
             first_was_detected: false,

@@ -3,7 +3,8 @@
 use super::medium::Medium;
 use super::observed::Observed;
 use super::parameters::{
-    MAX_LOG_RESTITUTION, MIN_FIRST_RESTITUTION, MIN_SPEED_RATIO, MIN_START_SCATTER, START_RESTITUTION,
+    MAX_LOG_RESTITUTION, MIN_FIRST_RESTITUTION, MIN_SPEED_RATIO, MIN_START_SCATTER,
+    START_RESTITUTION,
 };
 use crate::error::{Error, InferenceFailure, Result};
 use crate::flight::table::Row;
