@@ -13,6 +13,7 @@ use bouncelab::Impact;
 use bouncelab::analysis::{Drop, analyze_impacts};
 use bouncelab::ball::{self, Preset};
 use bouncelab::diagnostic::{Argument, Code};
+use bouncelab::inference::PossibleBall;
 use bouncelab::{Options, Result};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -83,11 +84,12 @@ struct Count {
 impl Count {
     /// Analyses a drop of one ball as one of another, or the same.
     fn add(&mut self, impacts: Vec<Impact>, stated: &Preset, truth: &Preset) {
-        let drop = analyze_impacts(impacts, &Options::new(stated).with_ball_comparison());
+        let drop = analyze_impacts(impacts, &Options::new(stated));
+        let fallen = PossibleBall::kind_of(&truth.known);
         let doubted = said(&drop, Code::RestitutionRises).is_some();
         self.doubted += u32::from(doubted);
         match said(&drop, Code::OtherBallFitsBetter) {
-            Some(balls) if balls.split(", ").any(|ball| ball == truth.name) => self.right += 1,
+            Some(kinds) if kinds.split(", ").any(|kind| kind == fallen) => self.right += 1,
             Some(_) => self.other += 1,
             None => self.nothing += u32::from(!doubted),
         }

@@ -245,7 +245,11 @@ impl Numbers {
             self.add(format!("{name} weight"), impact.weight);
         }
         for model in &posterior.models {
-            let name = format!("model {} {}", model.restitution_law, model.ball);
+            let name = format!(
+                "model {} {}",
+                model.restitution_law,
+                model.ball.unwrap_or_default()
+            );
             self.add(format!("{name} probability"), model.probability);
             self.add(format!("{name} log evidence"), model.log_evidence);
             self.estimate(&format!("{name} restitution"), model.restitution);

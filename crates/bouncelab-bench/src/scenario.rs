@@ -40,15 +40,11 @@ pub enum Scenario {
     Rough,
     /// The same scatter, stated.
     RoughStated,
-    /// 1 - c v^(1/5), with c over the strengths of published balls.
-    Fifth,
-    /// 15 % lower below 0.3 m/s.
-    Slow,
 }
 
 impl Scenario {
     /// Every scenario.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 12] = [
         Self::True,
         Self::NoLaw,
         Self::Missing,
@@ -61,8 +57,6 @@ impl Scenario {
         Self::WrongContact,
         Self::Rough,
         Self::RoughStated,
-        Self::Fifth,
-        Self::Slow,
     ];
 
     /// Its name, as in arguments and tables.
@@ -80,8 +74,6 @@ impl Scenario {
             Self::WrongContact => "wrong-contact",
             Self::Rough => "rough",
             Self::RoughStated => "rough-stated",
-            Self::Fifth => "fifth",
-            Self::Slow => "slow",
         }
     }
 
@@ -136,8 +128,6 @@ pub struct Drop {
 enum Law {
     OfInference(Restitution),
     QuarterPower(f64),
-    Fifth(f64),
-    Slow(f64),
 }
 
 impl Law {
@@ -146,12 +136,6 @@ impl Law {
         let slope = 0.1 * rng.sample::<f64, _>(StandardNormal);
         if scenario == Scenario::NoLaw {
             return Some(Self::QuarterPower(e + 0.03));
-        }
-        if scenario == Scenario::Fifth {
-            return Some(Self::Fifth(0.03 + 0.37 * rng.random::<f64>()));
-        }
-        if scenario == Scenario::Slow {
-            return Some(Self::Slow(e));
         }
         let v = REFERENCE_M_S;
         let law = match rng.random_range(0..5) {
@@ -168,8 +152,6 @@ impl Law {
         match self {
             Self::OfInference(law) => law.at(speed_m_s),
             Self::QuarterPower(at_rest) => at_rest - 0.03 * speed_m_s.powf(0.25),
-            Self::Fifth(c) => (1.0 - c * speed_m_s.powf(0.2)).max(0.05),
-            Self::Slow(e) => e * (1.0 - 0.15 / (1.0 + (speed_m_s / 0.3).powi(6))),
         }
     }
 }

@@ -312,6 +312,10 @@ impl Translator {
 
     /// The name of something that the science calls by a key or by English words.
     pub(crate) fn named(&self, argument: &str, key: &str) -> String {
+        if argument == "balls" {
+            let each = key.split(", ").map(|kind| self.named("ball", kind));
+            return each.collect::<Vec<_>>().join(", ");
+        }
         let key_id = kebab(key);
         let id = match argument {
             "quantity" | "input" => format!("input-{key_id}"),
@@ -334,6 +338,7 @@ impl Translator {
     pub fn ball(&self, ball: &BallKind) -> String {
         let diameter = |diameter_m| ("diameter", in_thousandths(diameter_m));
         match *ball {
+            BallKind::Unstated => self.text("ball-unstated"),
             BallKind::Preset(preset) => self.named("ball", preset.name),
             BallKind::Sized(preset, diameter_m) => {
                 let name = self.named("ball", preset.name);

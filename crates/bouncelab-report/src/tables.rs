@@ -160,7 +160,7 @@ pub fn models(posterior: &Posterior, translator: &Translator) -> Table {
         translator,
         [
             ("column-law", Align::Left),
-            ("column-drag", Align::Left),
+            ("column-ball", Align::Left),
             ("column-probability", Align::Right),
             ("column-evidence", Align::Right),
             ("column-e", Align::Right),
@@ -174,7 +174,9 @@ pub fn models(posterior: &Posterior, translator: &Translator) -> Table {
         };
         table.row(vec![
             restitution_law(model.restitution_law, translator),
-            drag_law(model.drag_law, translator),
+            model
+                .ball
+                .map_or_else(String::new, |kind| translator.named("ball", kind)),
             translator.fixed(model.probability, 3),
             translator.fixed(model.log_evidence, 1),
             shown(&model.restitution, Unit::Number),

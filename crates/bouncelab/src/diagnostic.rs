@@ -342,6 +342,8 @@ codes! {
     // What was assumed.
     /// The ball was not stated.
     AssumedBall = "assumed-ball", Info, ["ball"];
+    /// Nobody stated the ball: it is one of the unknowns.
+    BallNotStated = "ball-not-stated", Info, [];
     /// The contact time was not stated.
     AssumedContactTime = "assumed-contact-time", Info, ["contact_time_s"];
     /// The air was not stated, or not all of it.

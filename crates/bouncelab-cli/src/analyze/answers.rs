@@ -73,7 +73,6 @@ pub(super) fn details(drop: &Drop) -> Vec<String> {
     let words = translator();
     let budget = &found.budget;
     let tables = [
-        ("analyze-details-models", tables::models(found, words)),
         (
             "analyze-details-budget-restitution",
             tables::budget(&budget.restitution, Unit::Number, words),
@@ -95,7 +94,10 @@ pub(super) fn details(drop: &Drop) -> Vec<String> {
             tables::fitted_impacts(found, words),
         ),
     ];
-    let tables = tables.into_iter();
+    // One model is no comparison.
+    let models =
+        (found.models.len() > 1).then(|| ("analyze-details-models", tables::models(found, words)));
+    let tables = models.into_iter().chain(tables);
     let mut blocks: Vec<String> = tables
         .map(|(heading, table)| format!("{}\n{table}", text(heading)))
         .collect();

@@ -3,14 +3,12 @@
 use std::fmt::{Display, Write};
 
 use bouncelab::Diagnostic;
-use bouncelab::analysis::{CONFIDENT_PROBABILITY, Drop, Source, StrongestBand};
-use bouncelab::diagnostic::Code;
+use bouncelab::analysis::{CONFIDENT_PROBABILITY, Source, StrongestBand};
 use bouncelab::settings::Setup;
 use bouncelab_report::messages::Value;
 use bouncelab_report::quantities;
 use bouncelab_report::report::ended;
 use bouncelab_report::tables;
-use bouncelab_report::{Quantity, Unit};
 
 use super::answers;
 use super::read::Analysed;
@@ -55,14 +53,6 @@ pub(crate) fn report(analysed: &Analysed, physics: &Setup, details: bool) -> Str
     for diagnostic in &analysed.result.diagnostics {
         line(&mut page, &note(translator().diagnostic(diagnostic)));
     }
-    if let Some(drop) = analysed.result.drops.first()
-        && physics
-            .assumptions
-            .iter()
-            .any(|diagnostic| diagnostic.code == Code::AssumedBall)
-    {
-        line(&mut page, &ball_contrast(drop, physics));
-    }
     if !physics.assumptions.is_empty() {
         line(&mut page, &assumed(&physics.assumptions));
     }
@@ -82,33 +72,6 @@ pub(crate) fn assumed(assumptions: &[Diagnostic]) -> String {
         .map(|diagnostic| translator().diagnostic(diagnostic));
     let list = [("list", assumptions.collect::<Vec<_>>().join(" ").into())];
     format!("  {}", text_with("terminal-assumed", &list))
-}
-
-/// The ball that was assumed, where none was stated, and how the results of a drop depend on it, if it has any.
-fn ball_contrast(drop: &Drop, physics: &Setup) -> String {
-    let assumed = ("assumed", translator().ball(&physics.ball).into());
-    let contrasts = physics.ball_contrasts(drop);
-    if contrasts.is_empty() {
-        return note(text_with("terminal-ball-assumed", &[assumed]));
-    }
-    let contrasts = contrasts.iter().map(|other| {
-        text_with(
-            "terminal-if-ball",
-            &[
-                ("ball", other.ball.into()),
-                (
-                    "restitution",
-                    Quantity::of(&other.restitution, Unit::Number).into(),
-                ),
-                (
-                    "height",
-                    Quantity::of(&other.drop_height_m, Unit::Length).into(),
-                ),
-            ],
-        )
-    });
-    let contrasts = ("contrasts", translator().in_one_line(contrasts).into());
-    note(text_with("terminal-ball-contrast", &[assumed, contrasts]))
 }
 
 fn line(page: &mut String, content: &str) {

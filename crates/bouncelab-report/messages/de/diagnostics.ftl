@@ -91,7 +91,7 @@ diagnostic-height-contradicts-times = Die angegebene Höhe von { $measured_m } w
 diagnostic-first-impact-doubtful = Der erste Aufprall, bei { $time_s } s, passt schlecht zu den anderen: Mit der Wahrscheinlichkeit { $probability } ist er ein anderes Geräusch oder gehört zu einem früheren Fall, und der Ball fiel aus { $height_m } Höhe.
 diagnostic-release-contradicts-times = Das angegebene Loslassen, { $stated_s } s vor dem ersten Aufprall, widerspricht den Aufprallen, aus denen ein Fall von { $detected_s } s folgt; es wird nicht verwendet.
 diagnostic-first-impacts-missed = Mit der Wahrscheinlichkeit { $probability } fehlen Aufpralle vor dem ersten erkannten.
-diagnostic-other-ball-fits-better = Diese Zeiten passen besser zu einem anderen Ball, mindestens { $odds } zu 1: { $balls }.
+diagnostic-other-ball-fits-better = Die Zeiten passen besser zu einer anderen Art von Ball als der angegebenen, mindestens { $odds } zu 1: { $balls }. Prüfen, welcher Ball es war.
 diagnostic-never-rests = Nach einigen der möglichen Gesetze der Stoßzahl geht bei langsamen Aufprallen so wenig verloren, dass der Ball in keiner vernünftigen Zeit zur Ruhe käme.
 diagnostic-inference-off = Eine Schätzung war nicht verlangt.
 diagnostic-inference-needs-impacts = Eine Schätzung braucht einen Flug, und ein Flug braucht zwei Aufpralle.
@@ -163,6 +163,7 @@ diagnostic-implausible-ball = Ein Ball von { $mass_kg } und { $diameter_m } Durc
   }
 
 diagnostic-assumed-ball = Der Ball: { $ball }.
+diagnostic-ball-not-stated = Der Ball wurde nicht angegeben: die Intervalle gelten für jede Art von Ball, die die Zeiten zulassen. Mit der Angabe werden sie enger.
 diagnostic-assumed-contact-time = Der Ball berührt den Untergrund { $contact_time_s } lang.
 diagnostic-assumed-rule-ball = Der Ball: { $ball }, wie in der Regel.
 diagnostic-assumed-rule-height = Der tiefste Punkt des Balls fiel { $height_m } ± { $sd_m }, wie in der Regel.

@@ -5,6 +5,12 @@ restitution-law-viscoelastic = viskoelastisch
 restitution-law-knee = mit Knick
 restitution-law-smooth = glatt, ohne Gesetz
 
+ball-unstated = nicht angegeben
+ball-table-tennis = Tischtennis
+ball-light-plastic = leichter Kunststoffball
+ball-hard = harter Ball (Golf, Stahl, Glas, Gummi)
+ball-hollow-rubber = hohler Gummiball (Tennis, Squash)
+ball-inflated = aufgepumpter Ball (Basketball, Fußball)
 ball-table-tennis-40 = Tischtennis 40+
 ball-table-tennis-38 = Tischtennis 38 mm
 ball-tennis = Tennis

@@ -75,6 +75,7 @@ source-air-density = Dichte der Luft
 source-ball-mass = Masse des Balls
 source-ball-diameter = Durchmesser des Balls
 source-added-mass = mitbewegte Luft
+source-choice-of-ball = welcher Ball es ist
 source-choice-of-law = Wahl des Gesetzes
 source-number-of-impacts = Zahl der Aufpralle
 

@@ -1,7 +1,6 @@
 terminal-note = Hinweis: { $text }
 terminal-assumed = Angenommen: { $list }
 terminal-ball-assumed = Der Ball ist nicht angegeben: angenommen ist { $assumed }. Den Ball mit --ball angeben.
-terminal-ball-contrast = Der Ball ist nicht angegeben: angenommen ist { $assumed }. Die Ergebnisse wären { $contrasts }. Den Ball mit --ball angeben, oder alle mit --which-ball vergleichen.
 terminal-if-ball = e = { $restitution } und h0 = { $height } für { $ball ->
         [tennis] einen Tennisball
        *[steel] eine Stahlkugel von 20 mm

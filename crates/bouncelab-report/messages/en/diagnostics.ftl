@@ -94,7 +94,7 @@ diagnostic-height-contradicts-times = The stated height of { $measured_m } contr
 diagnostic-first-impact-doubtful = The first impact, at { $time_s } s, fits the others badly: with probability { $probability } it is another sound, or of an earlier drop, and the ball fell from { $height_m }.
 diagnostic-release-contradicts-times = The stated release, { $stated_s } s before the first impact, contradicts the impacts, which indicate a fall of { $detected_s } s; it is not used.
 diagnostic-first-impacts-missed = Impacts before the first one detected were missed, with probability { $probability }.
-diagnostic-other-ball-fits-better = These times fit another ball better, at least { $odds } to 1: { $balls }.
+diagnostic-other-ball-fits-better = The times fit another kind of ball better than the stated one, at least { $odds } to 1: { $balls }. Check which ball it was.
 diagnostic-never-rests = Some of the possible restitution laws lose so little at slow impacts that the ball would not come to rest in a reasonable time.
 diagnostic-inference-off = No inference was requested.
 diagnostic-inference-needs-impacts = An inference needs at least one flight, that is two impacts.
@@ -166,6 +166,7 @@ diagnostic-implausible-ball = A ball of { $mass_kg } and { $diameter_m } in diam
   }
 
 diagnostic-assumed-ball = The ball is { $ball }.
+diagnostic-ball-not-stated = The ball was not stated: the intervals hold for every kind of ball that the times allow. State it, and they become narrower.
 diagnostic-assumed-contact-time = The ball touches the surface for { $contact_time_s }.
 diagnostic-assumed-rule-ball = The ball is { $ball }, as in the rule.
 diagnostic-assumed-rule-height = The lowest point of the ball fell { $height_m } ± { $sd_m }, as in the rule.

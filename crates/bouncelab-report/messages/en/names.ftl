@@ -7,6 +7,12 @@ restitution-law-viscoelastic = viscoelastic
 restitution-law-knee = knee
 restitution-law-smooth = smooth
 
+ball-unstated = not stated
+ball-table-tennis = table tennis
+ball-light-plastic = light plastic ball
+ball-hard = hard ball (golf, steel, glass, rubber)
+ball-hollow-rubber = hollow rubber ball (tennis, squash)
+ball-inflated = inflated ball (basketball, football)
 ball-table-tennis-40 = table tennis 40+
 ball-table-tennis-38 = table tennis 38 mm
 ball-tennis = tennis

@@ -75,6 +75,7 @@ source-air-density = air density
 source-ball-mass = ball mass
 source-ball-diameter = ball diameter
 source-added-mass = added mass
+source-choice-of-ball = which ball it is
 source-choice-of-law = choice of law
 source-number-of-impacts = number of impacts
 

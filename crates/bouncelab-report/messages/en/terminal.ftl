@@ -3,7 +3,6 @@
 terminal-note = Note: { $text }
 terminal-assumed = Assumed: { $list }
 terminal-ball-assumed = The ball was not stated: { $assumed } is assumed. State it with --ball.
-terminal-ball-contrast = The ball was not stated: { $assumed } is assumed. The answers would be { $contrasts }. State the ball with --ball, or compare all with --which-ball.
 terminal-if-ball = e = { $restitution } and h0 = { $height } for { $ball ->
         [tennis] a tennis ball
        *[steel] a steel ball of 20 mm

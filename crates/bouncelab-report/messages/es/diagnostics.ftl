@@ -88,7 +88,7 @@ diagnostic-height-contradicts-times = La altura indicada de { $measured_m } cont
 diagnostic-first-impact-doubtful = El primer impacto, a los { $time_s } s, concuerda mal con los demás: con probabilidad { $probability } es otro sonido, o de una caída anterior, y la pelota cayó desde { $height_m }.
 diagnostic-release-contradicts-times = El momento de soltar indicado, { $stated_s } s antes del primer impacto, contradice los impactos, que indican una caída de { $detected_s } s; no se utiliza.
 diagnostic-first-impacts-missed = Se perdieron impactos antes del primero detectado, con probabilidad { $probability }.
-diagnostic-other-ball-fits-better = Estos tiempos se ajustan mejor a otra pelota, al menos { $odds } a 1: { $balls }.
+diagnostic-other-ball-fits-better = Los tiempos encajan mejor con otro tipo de pelota que el indicado, al menos { $odds } a 1: { $balls }. Compruebe qué pelota era.
 diagnostic-never-rests = Según algunas de las leyes de restitución posibles, la pelota pierde tan poco en los impactos lentos que no llegaría al reposo en un tiempo razonable.
 diagnostic-inference-off = No se pidió ninguna inferencia.
 diagnostic-inference-needs-impacts = Una inferencia necesita al menos un vuelo, es decir, dos impactos.
@@ -152,6 +152,7 @@ diagnostic-implausible-ball = ¿Una pelota de { $mass_kg } y { $diameter_m } de 
   }
 
 diagnostic-assumed-ball = La pelota es: { $ball }.
+diagnostic-ball-not-stated = No se indicó la pelota: los intervalos valen para cada tipo de pelota que los tiempos permiten. Si se indica, se estrechan.
 diagnostic-assumed-contact-time = La pelota toca la superficie durante { $contact_time_s }.
 diagnostic-assumed-rule-ball = La pelota es la de la regla: { $ball }.
 diagnostic-assumed-rule-height = El punto más bajo de la pelota cayó { $height_m } ± { $sd_m }, como en la regla.

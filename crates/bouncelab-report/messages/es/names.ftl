@@ -5,6 +5,12 @@ restitution-law-viscoelastic = viscoelástica
 restitution-law-knee = con codo
 restitution-law-smooth = suave
 
+ball-unstated = no indicada
+ball-table-tennis = tenis de mesa
+ball-light-plastic = pelota ligera de plástico
+ball-hard = bola dura (golf, acero, vidrio, goma)
+ball-hollow-rubber = pelota hueca de goma (tenis, squash)
+ball-inflated = balón inflado (baloncesto, fútbol)
 ball-table-tennis-40 = tenis de mesa 40+
 ball-table-tennis-38 = tenis de mesa 38 mm
 ball-tennis = tenis

@@ -73,6 +73,7 @@ source-air-density = densidad del aire
 source-ball-mass = masa de la pelota
 source-ball-diameter = diámetro de la pelota
 source-added-mass = masa añadida
+source-choice-of-ball = qué pelota es
 source-choice-of-law = elección de la ley
 source-number-of-impacts = número de impactos
 

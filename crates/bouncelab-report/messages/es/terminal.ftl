@@ -1,7 +1,6 @@
 terminal-note = Nota: { $text }
 terminal-assumed = Supuesto: { $list }
 terminal-ball-assumed = No se indicó la pelota: se supone { $assumed }. Indíquela con --ball.
-terminal-ball-contrast = No se indicó la pelota: se supone { $assumed }. Las respuestas serían { $contrasts }. Indique la pelota con --ball, o compárelas todas con --which-ball.
 terminal-if-ball = e = { $restitution } y h0 = { $height } para { $ball ->
         [tennis] una pelota de tenis
        *[steel] una bola de acero de 20 mm

@@ -5,6 +5,12 @@ restitution-law-viscoelastic = viscoélastique
 restitution-law-knee = coudée
 restitution-law-smooth = lisse
 
+ball-unstated = non indiquée
+ball-table-tennis = tennis de table
+ball-light-plastic = balle légère en plastique
+ball-hard = balle dure (golf, acier, verre, caoutchouc)
+ball-hollow-rubber = balle creuse en caoutchouc (tennis, squash)
+ball-inflated = ballon gonflé (basket, football)
 ball-table-tennis-40 = tennis de table 40+
 ball-table-tennis-38 = tennis de table 38 mm
 ball-tennis = tennis

@@ -73,6 +73,7 @@ source-air-density = masse volumique de l’air
 source-ball-mass = masse de la balle
 source-ball-diameter = diamètre de la balle
 source-added-mass = masse ajoutée
+source-choice-of-ball = quelle balle c’est
 source-choice-of-law = choix de la loi
 source-number-of-impacts = nombre d’impacts
 

@@ -1,7 +1,6 @@
 terminal-note = Note : { $text }
 terminal-assumed = Supposé : { $list }
 terminal-ball-assumed = La balle n’a pas été indiquée : supposée { $assumed }. Indiquez-la avec --ball.
-terminal-ball-contrast = La balle n’a pas été indiquée : supposée { $assumed }. Les réponses seraient { $contrasts }. Indiquez la balle avec --ball, ou comparez-les toutes avec --which-ball.
 terminal-if-ball = e = { $restitution } et h0 = { $height } pour { $ball ->
         [tennis] une balle de tennis
        *[steel] une bille d’acier de 20 mm

@@ -4,7 +4,7 @@ use bouncelab::inference::Posterior;
 
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Scale, Ticks, row_middle, ys};
 use crate::messages::Translator;
-use crate::tables::{drag_law, restitution_law};
+use crate::tables::restitution_law;
 use crate::theme::Meaning;
 
 /// Height of a row.
@@ -31,7 +31,8 @@ pub(super) fn models(posterior: &Posterior, translator: &Translator) -> Chart {
     }
     let names = models.iter().map(|model| {
         let law = restitution_law(model.restitution_law, translator);
-        format!("{law}, {}", drag_law(model.drag_law, translator))
+        let ball = model.ball.map(|kind| translator.named("ball", kind));
+        ball.map_or_else(|| law.clone(), |ball| format!("{law}, {ball}"))
     });
     let names = Axis::of_names(names.collect());
     // A margin for the share to the right of the longest bar.

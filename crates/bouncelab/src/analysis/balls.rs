@@ -4,6 +4,8 @@ use super::{Drop, Options, analyze_impacts};
 use crate::ball::{self, Preset};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::estimate::Estimate;
+use crate::impact::Impact;
+use crate::inference;
 use crate::restitution::{ImpactRestitution, PerImpact};
 use crate::stats::sort_by_number;
 
@@ -87,18 +89,27 @@ pub(super) fn compare(drop: &Drop, options: &Options) -> Vec<BallComparison> {
     balls
 }
 
-/// A diagnostic if the first of the compared balls explains the times much better than the one that was
-/// stated or assumed; `None` if the balls cannot be distinguished.
-pub(super) fn better(balls: &[BallComparison]) -> Option<Diagnostic> {
+/// A diagnostic if another kind of ball explains the times much better than the one that was stated; `None` if the times
+/// cannot tell.
+pub(super) fn better(impacts: &[Impact], options: &Options) -> Option<Diagnostic> {
     /// Maximum odds that are reported: beyond this they mean certainty.
     const GREATEST_ODDS: f64 = 1000.0;
-    let best = balls.first()?.log_bayes_factor;
-    // That the right ball was stated is as probable as all others together.
-    let others = balls.len().max(2) - 1;
-    let odds = (best.exp() / others as f64).min(GREATEST_ODDS);
-    // Balls that are nearly as good as the best cannot be distinguished from it.
-    let good = |ball: &&BallComparison| best - ball.log_bayes_factor < STRONG.ln();
-    let names: Vec<&str> = balls.iter().filter(good).map(|ball| ball.ball).collect();
+    let Options {
+        ball,
+        environment,
+        contact_time_s,
+        priors,
+        ..
+    } = options;
+    let kinds = inference::better_kinds(impacts, ball, environment, *contact_time_s, priors);
+    let flights = impacts.len().saturating_sub(1);
+    let coarsened = |(kind, factor): (&'static str, f64)| (kind, coarsened(factor, flights));
+    let kinds: Vec<_> = kinds.ok()?.into_iter().map(coarsened).collect();
+    let best = kinds.iter().map(|kind| kind.1).reduce(f64::max)?;
+    let odds = best.exp().min(GREATEST_ODDS);
+    // Kinds that are nearly as good as the best cannot be distinguished from it.
+    let good = kinds.iter().filter(|kind| best - kind.1 < STRONG.ln());
+    let names: Vec<&str> = good.map(|kind| kind.0).collect();
     (odds >= STRONG).then(|| {
         let better = Diagnostic::new(Code::OtherBallFitsBetter);
         better

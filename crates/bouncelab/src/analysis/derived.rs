@@ -8,7 +8,7 @@ use crate::drop::{self, Start, Stop};
 use crate::estimate::Estimate;
 use crate::flight::{Environment, FlightModel};
 use crate::inference::{InferenceOptions, SamplerConfig};
-use crate::restitution::{Contact, Restitution};
+use crate::restitution::Contact;
 
 /// The height of the ball by the flight model, from impact to impact.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -50,6 +50,7 @@ impl Drop {
     pub fn height_history(&self, options: &Options) -> HeightHistory {
         /// Points along each flight.
         const POINTS: usize = 24;
+        let options = &options.with_ball_of(self.posterior.as_ref().ok());
         let mut history = HeightHistory::default();
         let (Ok(found), Ok(model)) = (&self.per_impact, options.model()) else {
             return history;
@@ -88,19 +89,18 @@ impl Drop {
         let Ok(found) = &self.posterior else {
             return Ok(Vec::new());
         };
-        let law = Restitution::power(
-            found.restitution.value,
-            found.at_speed_m_s,
-            found.restitution_slope.value,
-        )?;
-        let contact = Contact::new(law, options.contact_time_s)?;
+        let options = &options.with_ball_of(Some(found));
+        let Some(best) = found.best_fit() else {
+            return Ok(Vec::new());
+        };
+        let contact = Contact::new(best.law, best.contact_time_s)?;
         let mut impacts = self.impacts.iter();
         let Some(first) = impacts.find(|impact| impact.number == found.first_impact()) else {
             return Ok(Vec::new());
         };
         let last = impacts.next_back().unwrap_or(first);
         let bounces = last.number + 1 - first.number;
-        let start = Start::Height(found.drop_height_m.value);
+        let start = Start::Height(best.drop_height_m);
         let missed = found
             .missed_first_impacts
             .as_deref()

@@ -278,6 +278,29 @@ impl Options {
         (!begins && !starts_s.is_empty()).then_some(diagnostic)
     }
 
+    /// The same with the most probable ball of a posterior, if the ball was not stated.
+    #[must_use]
+    pub(crate) fn with_ball_of(&self, posterior: Option<&Posterior>) -> Self {
+        let mut options = self.clone();
+        if let Some(posterior) = posterior.filter(|_| !self.priors.possible_balls.is_empty()) {
+            (options.ball, options.contact_time_s) = posterior.most_probable_ball();
+        }
+        options
+    }
+
+    /// Whether to ask if another ball explains the times better: it was stated, and the result is not only one of many.
+    fn doubts_ball(&self) -> bool {
+        let asked = self.inference.as_ref().is_some_and(|it| it.each_impact);
+        asked && self.priors.possible_balls.is_empty()
+    }
+
+    /// The contact time of the ball, or the shortest of the kinds that it may be, s.
+    fn shortest_contact_s(&self) -> f64 {
+        let possible = self.priors.possible_balls.iter();
+        let shortest = possible.map(|it| it.known.contact_time_s);
+        shortest.reduce(f64::min).unwrap_or(self.contact_time_s)
+    }
+
     /// The flight model of these options.
     ///
     /// # Errors
@@ -384,7 +407,13 @@ pub fn renumbered(mut impacts: Vec<Impact>) -> Vec<Impact> {
 /// assert!((drop.log_linear_fit.unwrap().restitution.value - 0.929).abs() < 0.001);
 /// ```
 pub fn analyze_impacts(impacts: Vec<Impact>, options: &Options) -> Drop {
-    let (flying, too_close) = contact::flying(&impacts, options.contact_time_s);
+    let (flying, too_close) = contact::flying(&impacts, options.shortest_contact_s());
+    let posterior = posterior(flying, options);
+    let other_ball = options
+        .doubts_ball()
+        .then(|| balls::better(flying, options))
+        .filter(|_| posterior.is_ok());
+    let options = &options.with_ball_of(posterior.as_ref().ok());
     let per_impact = per_impact(flying, options);
     let posterior = posterior(flying, options);
     let first = posterior.as_ref().map_or(0, Posterior::first_impact);
@@ -400,6 +429,7 @@ pub fn analyze_impacts(impacts: Vec<Impact>, options: &Options) -> Drop {
     let log_linear_fit = regression::fit(&in_fit, options.environment.gravity_m_s2);
     let mut diagnostics = diagnostics(&impacts, &flights, per_impact.as_ref().ok());
     diagnostics.extend(too_close);
+    diagnostics.extend(other_ball.flatten());
     match &posterior {
         Ok(posterior) => diagnostics.extend(posterior.diagnostics.iter().cloned()),
         Err(Error::CannotInfer(InferenceFailure::NotRequested)) => {}
@@ -417,7 +447,6 @@ pub fn analyze_impacts(impacts: Vec<Impact>, options: &Options) -> Drop {
     };
     if options.compares_balls {
         drop.balls = balls::compare(&drop, options);
-        drop.diagnostics.extend(balls::better(&drop.balls));
     }
     drop
 }

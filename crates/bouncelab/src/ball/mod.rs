@@ -50,6 +50,14 @@ impl Ball {
         })
     }
 
+    /// A ball of the list, in g and mm.
+    pub(crate) const fn nominal(mass_g: f64, diameter_mm: f64) -> Self {
+        Self {
+            mass_kg: mass_g / 1000.0,
+            diameter_m: diameter_mm / 1000.0,
+        }
+    }
+
     /// A solid ball.
     fn solid(density_kg_m3: f64, diameter_m: f64) -> Result<Self> {
         let diameter_m = of_a_size(Quantity::BallDiameter, diameter_m)?;
@@ -109,6 +117,7 @@ impl Ball {
 /// # Ok::<(), bouncelab::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct KnownBall {
     /// Mass and diameter.
     pub ball: Ball,

@@ -166,13 +166,6 @@ impl Preset {
     }
 }
 
-const fn ball(mass_g: f64, diameter_mm: f64) -> Ball {
-    Ball {
-        mass_kg: mass_g / 1000.0,
-        diameter_m: diameter_mm / 1000.0,
-    }
-}
-
 /// Relative standard uncertainty of a contact time of which the literature gives the order of magnitude.
 const ORDER_OF_MAGNITUDE: f64 = 0.5;
 /// Of a contact time that was measured on hard surfaces (R. Cross, Am. J. Phys. 67, 222, 1999), for other makes and
@@ -197,7 +190,7 @@ static PRESETS: [Preset; 14] = [
             "tennis de table",
         ],
         known: KnownBall {
-            ball: ball(2.7, 40.0),
+            ball: Ball::nominal(2.7, 40.0),
             contact_time_s: 1e-3,
             mass_rel_sd: 0.011,
             diameter_rel_sd: 0.004,
@@ -212,7 +205,7 @@ static PRESETS: [Preset; 14] = [
         label: "table tennis 38 mm",
         words: &[],
         known: KnownBall {
-            ball: ball(2.5, 38.0),
+            ball: Ball::nominal(2.5, 38.0),
             contact_time_s: 1e-3,
             mass_rel_sd: 0.012,
             diameter_rel_sd: 0.004,
@@ -227,7 +220,7 @@ static PRESETS: [Preset; 14] = [
         label: "tennis",
         words: &["tenis"],
         known: KnownBall {
-            ball: ball(57.7, 66.0),
+            ball: Ball::nominal(57.7, 66.0),
             contact_time_s: 5e-3,
             mass_rel_sd: 0.017,
             diameter_rel_sd: 0.014,
@@ -249,7 +242,7 @@ static PRESETS: [Preset; 14] = [
             "ballon de foot",
         ],
         known: KnownBall {
-            ball: ball(430.0, 220.0),
+            ball: Ball::nominal(430.0, 220.0),
             contact_time_s: 1e-2,
             mass_rel_sd: 0.027,
             diameter_rel_sd: 0.008,
@@ -264,7 +257,7 @@ static PRESETS: [Preset; 14] = [
         label: "futsal",
         words: &["fútsal", "fútbol sala", "futbol sala"],
         known: KnownBall {
-            ball: ball(420.0, 200.5),
+            ball: Ball::nominal(420.0, 200.5),
             contact_time_s: 1e-2,
             mass_rel_sd: 0.027,
             diameter_rel_sd: 0.009,
@@ -279,7 +272,7 @@ static PRESETS: [Preset; 14] = [
         label: "basketball",
         words: &["basket", "baloncesto", "básquetbol"],
         known: KnownBall {
-            ball: ball(600.0, 243.0),
+            ball: Ball::nominal(600.0, 243.0),
             contact_time_s: 1.5e-2,
             mass_rel_sd: 0.019,
             diameter_rel_sd: 0.008,
@@ -294,7 +287,7 @@ static PRESETS: [Preset; 14] = [
         label: "golf",
         words: &[],
         known: KnownBall {
-            ball: ball(45.93, 42.67),
+            ball: Ball::nominal(45.93, 42.67),
             contact_time_s: 5e-4,
             mass_rel_sd: 0.005,
             diameter_rel_sd: 0.002,
@@ -309,7 +302,7 @@ static PRESETS: [Preset; 14] = [
         label: "squash",
         words: &[],
         known: KnownBall {
-            ball: ball(24.0, 40.0),
+            ball: Ball::nominal(24.0, 40.0),
             contact_time_s: 4e-3,
             mass_rel_sd: 0.024,
             diameter_rel_sd: 0.007,
@@ -324,7 +317,7 @@ static PRESETS: [Preset; 14] = [
         label: "racquetball",
         words: &[],
         known: KnownBall {
-            ball: ball(39.7, 57.15),
+            ball: Ball::nominal(39.7, 57.15),
             contact_time_s: 4e-3,
             mass_rel_sd: 0.01,
             diameter_rel_sd: 0.006,
@@ -339,7 +332,7 @@ static PRESETS: [Preset; 14] = [
         label: "pickleball",
         words: &[],
         known: KnownBall {
-            ball: ball(24.3, 74.2),
+            ball: Ball::nominal(24.3, 74.2),
             contact_time_s: 2e-3,
             mass_rel_sd: 0.052,
             diameter_rel_sd: 0.007,
@@ -354,7 +347,7 @@ static PRESETS: [Preset; 14] = [
         label: "padel",
         words: &["pádel"],
         known: KnownBall {
-            ball: ball(57.7, 65.6),
+            ball: Ball::nominal(57.7, 65.6),
             contact_time_s: 5e-3,
             mass_rel_sd: 0.017,
             diameter_rel_sd: 0.019,
@@ -379,7 +372,7 @@ static PRESETS: [Preset; 14] = [
             "verre",
         ],
         known: KnownBall {
-            ball: ball(5.36, 16.0),
+            ball: Ball::nominal(5.36, 16.0),
             contact_time_s: 9e-5,
             mass_rel_sd: 0.12,
             diameter_rel_sd: 0.04,
@@ -406,7 +399,7 @@ static PRESETS: [Preset; 14] = [
             "acier",
         ],
         known: KnownBall {
-            ball: ball(4.09, 10.0),
+            ball: Ball::nominal(4.09, 10.0),
             contact_time_s: 9e-5,
             mass_rel_sd: 0.3,
             diameter_rel_sd: 0.15,
@@ -433,7 +426,7 @@ static PRESETS: [Preset; 14] = [
             "balle rebondissante",
         ],
         known: KnownBall {
-            ball: ball(44.9, 45.0),
+            ball: Ball::nominal(44.9, 45.0),
             contact_time_s: 3.5e-3,
             mass_rel_sd: 0.2,
             diameter_rel_sd: 0.1,

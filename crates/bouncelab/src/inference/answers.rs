@@ -244,7 +244,8 @@ impl Answers {
     fn models(&self, posterior: &SampledPosterior) -> Vec<Model> {
         let mut models: Vec<Model> = Vec::new();
         for candidate in &posterior.candidates {
-            let ball = posterior.media[candidate.medium].kind;
+            let kind = posterior.media[candidate.medium].kind;
+            let ball = (!kind.is_empty()).then_some(kind);
             let known = models
                 .iter_mut()
                 .find(|model| model.restitution_law == candidate.law && model.ball == ball);

@@ -1,17 +1,14 @@
 //! The candidates: every model of a drop, each with its best fit and its evidence.
 
+use super::BestFit;
 use super::fit::{self, Fit};
 use super::likelihood::Innovation;
 use super::medium::Medium;
 use super::numbering;
 use super::observed::Observed;
-<<<<<<< HEAD
 use super::parameters::{
-    LN_MISSED_FIRST, LN_UNHEARD, MAX_MISSED_FIRST, OTHER_FIRST, PRUNE_BELOW,
+    ALLOWED_BALL, LN_MISSED_FIRST, LN_UNHEARD, MAX_MISSED_FIRST, OTHER_FIRST, PRUNE_BELOW,
 };
-=======
-use super::parameters::{ALLOWED_BALL, LN_MISSED_FIRST, LN_UNHEARD, MAX_MISSED_FIRST, PRUNE_BELOW};
->>>>>>> ad5d41f5 (Infer a drop of an unstated ball from every kind that may be)
 use super::pool::{Pool, SamplerConfig};
 use super::possible_balls::PossibleBall;
 use super::priors::Priors;
@@ -137,16 +134,7 @@ impl SampledPosterior {
                 ..observed.impacts[0].time_s,
             )?;
         }
-<<<<<<< HEAD
-        let media = vec![Medium::new(
-            ball,
-            environment,
-            environment.drag,
-            contact_time_s,
-            &observed,
-            priors,
-        )?];
-        let reference = ReferenceSpeed::new(&observed, &media[0])?;
+        let (media, reference) = media(&balls, environment, &observed, priors)?;
         let mut numberings = numbering::plausible(&observed);
         if !priors.first_was_detected {
             for with_first in 0..numberings.len() {
@@ -155,11 +143,6 @@ impl SampledPosterior {
             }
         }
         let numberings = numberings.into_iter().map(|observed| Numbering {
-=======
-        let (media, reference) = media(&balls, environment, &observed, priors)?;
-        let numberings = numbering::plausible(&observed).into_iter();
-        let numberings = numberings.map(|observed| Numbering {
->>>>>>> ad5d41f5 (Infer a drop of an unstated ball from every kind that may be)
             flights: media
                 .iter()
                 .map(|medium| TimedFlights::new(&observed, medium))
@@ -430,14 +413,10 @@ impl SampledPosterior {
         sort_by_number(candidates, |candidate| -candidate.log_evidence);
         let of_ball = |ball: usize| {
             let its = candidates.iter().filter(move |it| it.medium == ball);
-            scaled_sum(its.map(|candidate| candidate.log_evidence))
+            let (sum, greatest) = scaled_sum(its.map(|candidate| candidate.log_evidence));
+            sum.ln() + greatest
         };
-        let balls: Vec<f64> = (0..self.media.len())
-            .map(|ball| {
-                let (sum, greatest) = of_ball(ball);
-                sum.ln() + greatest
-            })
-            .collect();
+        let balls: Vec<f64> = (0..self.media.len()).map(of_ball).collect();
         let most = balls.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let allowed = balls.iter().filter(|ball| **ball >= most - ALLOWED_BALL);
         let share = 1.0 / allowed.count().max(1) as f64;
@@ -451,6 +430,19 @@ impl SampledPosterior {
         }
     }
 
+    /// The fit of the most probable candidate; `None` if it is not valid.
+    pub(super) fn best_fit(&self) -> Option<BestFit> {
+        let candidate = self.candidates.first()?;
+        let model = self.model(candidate);
+        let point = model.point(candidate.fit.vector.as_slice())?;
+        Some(BestFit {
+            law: point.law,
+            drop_height_m: model.drop_height_m(&point)?,
+            drag_scale: point.drag_scale,
+            contact_time_s: point.contact_time_s,
+        })
+    }
+
     /// Number of balls that the times allow; 1 if the ball was stated.
     pub(super) fn allowed_balls(&self, candidates: &[Candidate]) -> usize {
         let is_allowed = |ball: &usize| {
@@ -458,6 +450,14 @@ impl SampledPosterior {
             its.any(|it| it.weight > 0.0)
         };
         (0..self.media.len()).filter(is_allowed).count().max(1)
+    }
+
+    /// Logarithm of the evidence of a kind of ball, but for a constant of the times; -∞ if it explains nothing.
+    pub(super) fn log_evidence_of_ball(&self, kind: &str) -> f64 {
+        let of_kind = |candidate: &&Candidate| self.media[candidate.medium].kind == kind;
+        let its = self.candidates.iter().filter(of_kind);
+        let (sum, greatest) = scaled_sum(its.map(|candidate| candidate.log_evidence));
+        sum.ln() + greatest
     }
 
     /// Frees the memory of the flights, which is that of the draws again; they are computed anew when they are needed.

@@ -196,6 +196,34 @@ pub fn infer(
     found.ok_or_else(failed)
 }
 
+/// The kinds of balls that explain the times of a drop better than the given ball: each with the logarithm of its Bayes
+/// factor, by the curvature at the best fits (Laplace).
+///
+/// # Errors
+///
+/// Those of [`infer`].
+pub(crate) fn better_kinds(
+    impacts: &[Impact],
+    ball: &Ball,
+    environment: &Environment,
+    contact_time_s: f64,
+    priors: &Priors,
+) -> Result<Vec<(&'static str, f64)>> {
+    let stated = PossibleBall::stated(*ball, contact_time_s, priors);
+    let possible_balls = std::iter::once(stated).chain(PossibleBall::kinds().iter().copied());
+    let priors = Priors {
+        possible_balls: possible_balls.collect(),
+        ..priors.clone()
+    };
+    let fitted =
+        SampledPosterior::fitted_only(impacts, ball, environment, contact_time_s, &priors)?;
+    let evidence = |kind: &str| fitted.log_evidence_of_ball(kind);
+    let stated = evidence("");
+    let kinds = PossibleBall::kinds().iter().map(|possible| possible.kind);
+    let compared = kinds.map(|kind| (kind, evidence(kind) - stated));
+    Ok(compared.filter(|(_, factor)| *factor > 0.0).collect())
+}
+
 /// The most probable drop under one law, without uncertainties.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -206,6 +234,8 @@ pub struct BestFit {
     pub drop_height_m: f64,
     /// Factor on the drag coefficient of the drag law.
     pub drag_scale: f64,
+    /// Contact time, s.
+    pub contact_time_s: f64,
 }
 
 /// The best fit alone: a hundred times faster than [`infer`], for displays while the ball bounces.
@@ -242,16 +272,7 @@ pub fn best_fit(
     };
     let posterior =
         SampledPosterior::fitted_only(impacts, ball, environment, contact_time_s, &priors)?;
-    let candidate = &posterior.candidates[0];
-    let model = posterior.model(candidate);
-    let point = model.point(candidate.fit.vector.as_slice());
-    point
-        .and_then(|point| {
-            Some(BestFit {
-                law: point.law,
-                drop_height_m: model.drop_height_m(&point)?,
-                drag_scale: point.drag_scale,
-            })
-        })
+    posterior
+        .best_fit()
         .ok_or(Error::CannotInfer(InferenceFailure::SamplingFailed))
 }

@@ -54,10 +54,7 @@ impl Observed {
             intervals,
             sigma_s: sigma_s.into_iter().map(|s| s.max(MIN_TIME_SD_S)).collect(),
             sigma_stated,
-<<<<<<< HEAD
             other_sound: None,
-        })
-=======
         };
         observed.check_contact_time(contact_time_s)?;
         Ok(observed)
@@ -81,7 +78,6 @@ impl Observed {
             }
         }
         Ok(())
->>>>>>> ad5d41f5 (Infer a drop of an unstated ball from every kind that may be)
     }
 
     /// The same impacts with other numbers of flights between them.

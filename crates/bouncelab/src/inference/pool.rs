@@ -246,13 +246,9 @@ impl SampledPosterior {
                     .zip(rests)
                     .map(|(state, rest)| DrawnDrop {
                         state,
-<<<<<<< HEAD
                         without_first,
                         rest,
-=======
-                        rest,
                         mass_kg: model.medium.mass_kg(),
->>>>>>> ad5d41f5 (Infer a drop of an unstated ball from every kind that may be)
                     }),
             );
         }

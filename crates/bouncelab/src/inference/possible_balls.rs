@@ -33,7 +33,12 @@ const fn kind(
     kind: &'static str,
     [mass_g, diameter_mm]: [f64; 2],
     contact_time_s: f64,
-    [mass_rel_sd, diameter_rel_sd, drag_rel_sd, contact_time_rel_sd]: [f64; 4],
+    [
+        mass_rel_sd,
+        diameter_rel_sd,
+        drag_rel_sd,
+        contact_time_rel_sd,
+    ]: [f64; 4],
 ) -> PossibleBall {
     let known = KnownBall {
         ball: Ball::nominal(mass_g, diameter_mm),
@@ -58,28 +63,44 @@ impl PossibleBall {
         &KINDS
     }
 
+    /// The kind that is most like a ball: the nearest in the logarithms of mass over cross-section and contact time, in
+    /// standard uncertainties of the kind.
+    ///
+    /// ```
+    /// use bouncelab::ball;
+    /// use bouncelab::inference::PossibleBall;
+    ///
+    /// assert_eq!(PossibleBall::kind_of(&ball::preset("futsal")?.known), "inflated");
+    /// # Ok::<(), bouncelab::Error>(())
+    /// ```
+    pub fn kind_of(known: &KnownBall) -> &'static str {
+        let column = |known: &KnownBall| known.ball.mass_kg() / known.ball.area_m2();
+        let distance = |possible: &&Self| {
+            let kind = &possible.known;
+            let by_drag = (column(known) / column(kind)).ln()
+                / kind
+                    .mass_rel_sd
+                    .hypot(kind.drag_rel_sd)
+                    .hypot(2.0 * kind.diameter_rel_sd);
+            let by_contact =
+                (known.contact_time_s / kind.contact_time_s).ln() / kind.contact_time_rel_sd;
+            by_drag.hypot(by_contact)
+        };
+        let nearest = |one: &&Self, other: &&Self| distance(one).total_cmp(&distance(other));
+        KINDS
+            .iter()
+            .min_by(nearest)
+            .map_or("", |possible| possible.kind)
+    }
+
     /// The one ball that was stated.
     pub(super) const fn stated(ball: Ball, contact_time_s: f64, priors: &Priors) -> Self {
-        let known = KnownBall {
-            ball,
-            contact_time_s,
-            mass_rel_sd: priors.mass_rel_sd,
-            diameter_rel_sd: priors.diameter_rel_sd,
-            contact_time_rel_sd: priors.contact_time_rel_sd,
-            drag_rel_sd: priors.drag_rel_sd,
-        };
+        let known = priors.known(ball, contact_time_s);
         Self { kind: "", known }
     }
 
     /// These priors, with what is known of this ball.
     pub(super) fn inform(&self, priors: &Priors) -> Priors {
-        Priors {
-            possible_balls: Vec::new(),
-            mass_rel_sd: self.known.mass_rel_sd,
-            diameter_rel_sd: self.known.diameter_rel_sd,
-            drag_rel_sd: self.known.drag_rel_sd,
-            contact_time_rel_sd: self.known.contact_time_rel_sd,
-            ..priors.clone()
-        }
+        priors.clone().with_ball(&self.known)
     }
 }

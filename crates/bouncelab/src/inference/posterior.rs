@@ -1,12 +1,13 @@
 //! The posterior as a result: estimates and their diagnostics.
 
-use super::Prediction;
 use super::budget::{self, Budget};
 use super::candidates::SampledPosterior;
 use super::identify::{Correlations, PriorContraction};
 use super::parameters::{BAND_ENDS, BAND_POINTS, OUTLIER_WEIGHT, THINNING};
 use super::predict;
 use super::priors::Measured;
+use super::{BestFit, Prediction};
+use crate::ball::Ball;
 use crate::diagnostic::Diagnostic;
 use crate::estimate::Estimate;
 use crate::restitution::LawKind;
@@ -134,8 +135,8 @@ pub struct Model {
     /// Restitution law.
     #[cfg_attr(feature = "typescript", ts(type = "string"))]
     pub restitution_law: LawKind,
-    /// The kind of ball, if it was not stated; else empty.
-    pub ball: &'static str,
+    /// The kind of ball, if none was stated.
+    pub ball: Option<&'static str>,
     /// Its posterior probability, over all numbers of missed impacts.
     pub probability: f64,
     /// Logarithm of its evidence above that of the best.
@@ -302,6 +303,19 @@ impl Posterior {
     /// so does not average out over drops. `None` if the fit is not a maximum.
     pub fn shared_sd(&self, speeds_m_s: &[f64]) -> Option<Vec<f64>> {
         budget::shared_sd(&self.sampled, speeds_m_s)
+    }
+
+    /// The most probable drop.
+    pub fn best_fit(&self) -> Option<BestFit> {
+        self.sampled.best_fit()
+    }
+
+    /// The ball of the most probable drop, and its contact time before the data, s: the ball that was stated, or one of the
+    /// kinds that it may be.
+    pub(crate) fn most_probable_ball(&self) -> (Ball, f64) {
+        let sampled = &self.sampled;
+        let medium = &sampled.media[sampled.candidates[0].medium];
+        (medium.ball, medium.contact_time_s)
     }
 
     /// Whether a height was stated, and nothing contradicts it: then it is hardly a result.

@@ -3,7 +3,7 @@
 use super::parameters::UNKNOWN;
 use super::possible_balls::PossibleBall;
 use super::scatter_prior;
-use crate::ball::KnownBall;
+use crate::ball::{Ball, KnownBall};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::error::{Quantity, Result, positive, within};
 use crate::restitution::LawKind;
@@ -108,11 +108,24 @@ impl Priors {
     #[must_use]
     pub fn with_ball(self, known: &KnownBall) -> Self {
         Self {
+            possible_balls: Vec::new(),
             mass_rel_sd: known.mass_rel_sd,
             diameter_rel_sd: known.diameter_rel_sd,
             contact_time_rel_sd: known.contact_time_rel_sd,
             drag_rel_sd: known.drag_rel_sd,
             ..self
+        }
+    }
+
+    /// A ball with what these priors state of it.
+    pub(crate) const fn known(&self, ball: Ball, contact_time_s: f64) -> KnownBall {
+        KnownBall {
+            ball,
+            contact_time_s,
+            mass_rel_sd: self.mass_rel_sd,
+            diameter_rel_sd: self.diameter_rel_sd,
+            contact_time_rel_sd: self.contact_time_rel_sd,
+            drag_rel_sd: self.drag_rel_sd,
         }
     }
 

@@ -15,8 +15,8 @@ const CONTACT_REL_SD: f64 = 0.1;
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[cfg_attr(feature = "typescript", ts(optional_fields))]
 pub struct BallSettings {
-    /// Name of a [preset](ball::preset), also with the diameter in metres, as in `steel:0.01`; the first preset if left
-    /// out.
+    /// Name of a [preset](ball::preset), also with the diameter in metres, as in `steel:0.01`; one of the unknowns
+    /// if left out.
     pub kind: Option<String>,
     /// Mass as weighed: of a ball of this kind, whose drag and contact time stay, or without a kind, with the diameter.
     pub mass_kg: Option<f64>,
@@ -38,6 +38,8 @@ pub(super) const ORDINARY: &[Ordinary] = &[Ordinary {
 /// Which ball it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BallKind {
+    /// Nobody stated it: it is one of the unknowns.
+    Unstated,
     /// A preset.
     Preset(&'static Preset),
     /// A preset with a diameter of its own, in metres.
@@ -53,15 +55,10 @@ impl BallSettings {
         assumptions: &mut Vec<Diagnostic>,
     ) -> Result<(BallKind, KnownBall)> {
         let (kind, mut known) = self.known()?;
-        if self.kind.is_none()
-            && let BallKind::Preset(usual) = kind
-        {
-            assumptions.push(Diagnostic::new(Code::AssumedBall).with("ball", usual.name));
-        }
         if let Some(contact_time_s) = self.contact_time_s {
             known.contact_time_s = contact_time_s;
             known.contact_time_rel_sd = CONTACT_REL_SD;
-        } else {
+        } else if kind != BallKind::Unstated {
             let assumed = Diagnostic::new(Code::AssumedContactTime);
             assumptions.push(assumed.with("contact_time_s", known.contact_time_s));
         }
@@ -73,7 +70,7 @@ impl BallSettings {
     pub(super) fn known(&self) -> Result<(BallKind, KnownBall)> {
         let Some(name) = self.kind.as_deref() else {
             return match (self.mass_kg, self.diameter_m) {
-                (None, None) => Ok((BallKind::Preset(ball::usual()), ball::usual().known)),
+                (None, None) => Ok((BallKind::Unstated, ball::usual().known)),
                 (mass_kg, diameter_m) => {
                     let given = |value: Option<f64>| value.unwrap_or(f64::NAN);
                     let ball = Ball::new(given(mass_kg), given(diameter_m))?;

@@ -19,7 +19,6 @@
 mod air;
 mod analysis;
 mod ball;
-mod contrasts;
 mod drop;
 mod gravity;
 mod inference;
@@ -30,13 +29,12 @@ use crate::analysis::Options;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::drag::DragLaw;
 use crate::flight::Environment;
-use crate::inference::{Measured, Priors};
+use crate::inference::{Measured, PossibleBall, Priors};
 use crate::rulebook::Rule;
 
 pub use air::AirSettings;
 pub use analysis::{AnalysisSettings, DetectionSettings, EditSettings};
 pub use ball::{BallKind, BallSettings};
-pub use contrasts::BallContrast;
 pub use drop::DropSettings;
 pub use gravity::GravitySettings;
 pub use inference::{InferenceSettings, Inferred, Input};
@@ -158,11 +156,37 @@ impl Settings {
         self.inference.inform(&mut options.priors)?;
         options.priors.check()?;
         options.inference = self.inference.resolve()?;
+        if kind == BallKind::Unstated {
+            assumptions.insert(0, self.leave_ball_open(&mut options)?);
+        }
         Ok(Setup {
             options,
             ball: kind,
             assumptions,
         })
+    }
+
+    /// Makes the ball one of the unknowns; without an inference the usual ball is assumed.
+    fn leave_ball_open(&self, options: &mut Options) -> Result<Diagnostic> {
+        if options.inference.is_none() {
+            let assumed = Diagnostic::new(Code::AssumedBall);
+            return Ok(assumed.with("ball", crate::ball::usual().name));
+        }
+        for possible in PossibleBall::kinds() {
+            let mut priors = options.priors.clone().with_ball(&possible.known);
+            let mut contact_time_s = possible.known.contact_time_s;
+            if let Some(measured_s) = self.ball.contact_time_s {
+                contact_time_s = measured_s;
+                priors.contact_time_rel_sd = options.priors.contact_time_rel_sd;
+            }
+            self.inference.inform(&mut priors)?;
+            let known = priors.known(possible.known.ball, contact_time_s);
+            options
+                .priors
+                .possible_balls
+                .push(PossibleBall { known, ..*possible });
+        }
+        Ok(Diagnostic::new(Code::BallNotStated))
     }
 
     /// The values that another unit would explain better.

@@ -5,6 +5,7 @@ use crate::flight::Environment;
 use crate::impact::Impact;
 use crate::inference::medium::Medium;
 use crate::inference::observed::Observed;
+use crate::inference::possible_balls::PossibleBall;
 use crate::inference::priors::{Measured, Priors};
 use crate::inference::reference_speed::ReferenceSpeed;
 use crate::inference::timed_flights::TimedFlights;
@@ -44,15 +45,8 @@ pub(in super::super) fn with_model<T>(
         ..Priors::default()
     };
     let observed = Observed::new(impacts, settings.contact_time_s).unwrap();
-    let media = Medium::new(
-        &settings.ball,
-        &environment,
-        environment.drag,
-        settings.contact_time_s,
-        &observed,
-        &priors,
-    )
-    .unwrap();
+    let ball = PossibleBall::stated(settings.ball, settings.contact_time_s, &priors);
+    let media = Medium::new(&ball, &environment, &observed, &priors).unwrap();
     let middle = ReferenceSpeed::new(&observed, &media).unwrap();
     let timed_flights = TimedFlights::new(&observed, &media);
     let model = Model::new(
