@@ -415,7 +415,6 @@ pub fn analyze_impacts(impacts: Vec<Impact>, options: &Options) -> Drop {
         .filter(|_| posterior.is_ok());
     let options = &options.with_ball_of(posterior.as_ref().ok());
     let per_impact = per_impact(flying, options);
-    let posterior = posterior(flying, options);
     let first = posterior.as_ref().map_or(0, Posterior::first_impact);
     let flights = flights(&impacts, options, per_impact.as_ref().ok(), first);
     let in_fit: Vec<NumberedFlight> = flights
