@@ -258,7 +258,7 @@ codes! {
     FlightGrows = "flight-grows", Warning, ["flight"];
 
     // Of the posterior.
-    /// Late impacts follow closer than the ball touches the surface, and were left out.
+    /// Late impacts are so close to each other that the ball can hardly have flown in between, and were left out.
     ImpactsTooClose = "impacts-too-close", Warning, ["count", "start_s", "contact_time_s"];
     /// The number of impacts is so small that the priors dominate.
     FewImpacts = "few-impacts", Warning, ["count"];
@@ -286,7 +286,7 @@ codes! {
     InferenceNeedsImpacts = "inference-needs-impacts", Error, ["count"];
     /// The impacts do not determine the restitution: it is that of its prior.
     RestitutionUndetermined = "restitution-undetermined", Error, ["count", "least", "greatest"];
-    /// Two impacts, not the last ones, are closer to each other than the ball touches the surface.
+    /// Two impacts are so close to each other that the ball cannot have flown in between.
     ContactOverlaps = "contact-overlaps", Error, ["first", "second", "time_s", "interval_s", "contact_time_s"];
     /// No physical model explains the times.
     NoModelFits = "no-model-fits", Error, [];

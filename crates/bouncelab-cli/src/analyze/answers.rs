@@ -29,6 +29,8 @@ pub(super) fn lines(drop: &Drop, physics: &Setup, details: bool) -> Vec<String> 
     let heading = text_with("analyze-corrected-heading", &heading);
     lines.extend(match &drop.per_impact {
         Ok(_) => listed(Method::PerImpact, heading),
+        // The headline states it already.
+        Err(reason) if drop.posterior.as_ref().err() == Some(reason) => Vec::new(),
         Err(reason) => vec![cannot_tell("analyze-corrected", translated(reason))],
     });
     lines.extend(match &drop.log_linear_fit {

@@ -69,7 +69,7 @@ diagnostic-flight-grows = Flug { $flight } ist länger als der vor ihm, was auf 
 diagnostic-impacts-too-close = { $count ->
     [one] Der Aufprall bei { $start_s } s folgt
    *[other] { $count } Aufpralle ab { $start_s } s folgen
-  } enger aufeinander, als der Ball den Untergrund berührt ({ $contact_time_s }), und { $count ->
+  } innerhalb der doppelten Zeit, die der Ball den Untergrund berührt ({ $contact_time_s }), und { $count ->
     [one] ist
    *[other] sind
   } weggelassen. Sind lange Flüge darunter, ist es wohl ein anderer Ball, oder sein Kontakt ist kürzer.

@@ -72,7 +72,7 @@ diagnostic-flight-grows = Flight { $flight } is longer than the flight before it
 diagnostic-impacts-too-close = { $count ->
     [one] The impact at { $start_s } s follows
    *[other] { $count } impacts from { $start_s } s on follow
-  } closer than the ball touches the surface ({ $contact_time_s }), and { $count ->
+  } within twice the time for which the ball touches the surface ({ $contact_time_s }), and { $count ->
     [one] is
    *[other] are
   } left out. With long flights among them, the ball is probably another one, or its contact is shorter.

@@ -69,7 +69,7 @@ diagnostic-flight-grows = El vuelo { $flight } es más largo que el anterior, lo
 diagnostic-impacts-too-close = { $count ->
     [one] El impacto en { $start_s } s sigue
    *[other] { $count } impactos desde { $start_s } s siguen
-  } a menos de lo que la pelota toca la superficie ({ $contact_time_s }), y { $count ->
+  } a menos del doble del tiempo que la pelota toca la superficie ({ $contact_time_s }), y { $count ->
     [one] se deja
    *[other] se dejan
   } fuera. Si hay vuelos largos entre ellos, la pelota es probablemente otra, o su contacto es más corto.

@@ -69,7 +69,7 @@ diagnostic-flight-grows = Le vol { $flight } est plus long que le précédent, c
 diagnostic-impacts-too-close = { $count ->
     [one] L’impact à { $start_s } s suit
    *[other] { $count } impacts à partir de { $start_s } s se suivent
-  } de plus près que la balle ne touche la surface ({ $contact_time_s }), et { $count ->
+  } à moins de deux fois la durée du contact de la balle ({ $contact_time_s }), et { $count ->
     [one] est laissé
    *[other] sont laissés
   } de côté. S’il y a de longs vols parmi eux, la balle est probablement une autre, ou son contact est plus court.

@@ -110,20 +110,26 @@ fn answers(lists: &[QuantityList], translator: &Translator) -> Table {
         .partition(|list| list.method != Method::LogLinearFit);
     for id in quantities::ids() {
         let of_id = |row: &&Reported| row.id == id && row.level < Level::Details;
-        let fitted = fitted.iter().flat_map(|list| &list.rows).find(of_id);
-        let fit_value = fitted.map_or("", |row| &row.value);
-        let mut rows: Vec<[String; 4]> = with_air
+        let mut fitted = fitted.iter().flat_map(|list| &list.rows).find(of_id);
+        let of_id = with_air
             .iter()
-            .flat_map(|list| list.rows.iter().filter(of_id).map(|row| cells(list, row)))
-            .map(|[title, value, interval]| [title, value, interval, fit_value.to_owned()])
+            .flat_map(|list| list.rows.iter().filter(of_id).map(|row| cells(list, row)));
+        let mut rows: Vec<[String; 4]> = of_id
+            .map(|[title, value, interval]| {
+                // The fit knows no impact speed at which its restitution would hold.
+                let same = fitted.take_if(|row| row.title() == title);
+                [
+                    title,
+                    value,
+                    interval,
+                    same.map_or_else(String::new, |row| row.value.clone()),
+                ]
+            })
             .collect();
-        if rows.is_empty() {
-            let alone = fitted.map(|row| {
-                let value = row.value.clone();
-                [row.title(), String::new(), String::new(), value]
-            });
-            rows.extend(alone);
-        }
+        rows.extend(fitted.map(|row| {
+            let value = row.value.clone();
+            [row.title(), String::new(), String::new(), value]
+        }));
         for row in rows {
             table.row(row);
         }

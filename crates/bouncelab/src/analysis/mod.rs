@@ -506,6 +506,7 @@ fn posterior(impacts: &[Impact], options: &Options) -> Result<Posterior> {
         .filter(|impact| impact.probability >= 0.5)
         .copied()
         .collect();
+    contact::check(&likely, options.shortest_contact_s())?;
     inference::infer(
         &likely,
         &options.ball,

@@ -8,6 +8,7 @@ use std::ops::{Range, RangeBounds};
 pub use refused::{Bounds, Quantity};
 
 use crate::diagnostic::{Argument, Code, Diagnostic};
+use crate::impact::Impact;
 
 /// The result of a calculation that can refuse its input.
 pub type Result<T> = std::result::Result<T, Error>;
@@ -204,7 +205,7 @@ pub enum InferenceFailure {
         /// The number of the impact before them.
         after: usize,
     },
-    /// Two impacts, not the last ones, are closer to each other than the ball touches the surface.
+    /// Two impacts are so close to each other that the ball cannot have flown in between.
     #[error(
         "impacts {first} and {second}, at {time_s} s, are {interval_s} s apart, and the ball touches the surface \
          for {contact_time_s} s; exclude one of them, or correct ball or contact time"
@@ -423,6 +424,17 @@ pub(crate) fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> &
 }
 
 impl InferenceFailure {
+    /// A [`Self::ContactOverlaps`] of these impacts.
+    pub(crate) fn of_contact(first: &Impact, second: &Impact, contact_time_s: f64) -> Self {
+        Self::ContactOverlaps {
+            first: first.number,
+            second: second.number,
+            time_s: first.time_s,
+            interval_s: second.time_s - first.time_s,
+            contact_time_s,
+        }
+    }
+
     fn diagnostic(&self) -> Diagnostic {
         match self {
             Self::NotRequested => Diagnostic::new(Code::InferenceOff),

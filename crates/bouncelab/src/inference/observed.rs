@@ -68,13 +68,8 @@ impl Observed {
         let pairs = self.impacts.windows(2).zip(&self.intervals);
         for (pair, interval) in pairs {
             if interval.duration_s <= contact_time_s * interval.flights as f64 {
-                return Err(Error::CannotInfer(InferenceFailure::ContactOverlaps {
-                    first: pair[0].number,
-                    second: pair[1].number,
-                    time_s: pair[0].time_s,
-                    interval_s: interval.duration_s,
-                    contact_time_s,
-                }));
+                let overlap = InferenceFailure::of_contact(&pair[0], &pair[1], contact_time_s);
+                return Err(Error::CannotInfer(overlap));
             }
         }
         Ok(())

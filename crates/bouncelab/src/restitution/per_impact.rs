@@ -22,7 +22,7 @@
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
-use crate::error::{Quantity, Result, in_order, positive, within};
+use crate::error::{Error, InferenceFailure, Quantity, Result, in_order, positive, within};
 use crate::estimate::Estimate;
 use crate::flight::{Flight, FlightModel};
 use crate::impact::Impact;
@@ -89,9 +89,8 @@ pub struct PerImpact {
 /// list too short for any flight gives an empty answer.
 ///
 /// # Errors
-/// [`Error::NotInOrder`](crate::Error::NotInOrder) if a number does not exceed the one before,
-/// [`Error::OutOfRange`](crate::Error::OutOfRange) if two impacts are no farther apart than the
-/// contact time or a standard error is negative, and the errors of
+/// [`Error::NotInOrder`] if a number does not exceed the one before, [`Error::CannotInfer`] if two impacts are no farther
+/// apart than the contact time, [`Error::OutOfRange`] if a standard error is negative, and the errors of
 /// [`FlightModel::from_flight_time`].
 ///
 /// ```
@@ -187,7 +186,11 @@ impl Interval {
             return Ok(None);
         }
         let time_s = end.time_s - start.time_s - contact_time_s;
-        positive(Quantity::Interval, time_s)?;
+        positive(Quantity::Interval, end.time_s - start.time_s)?;
+        if time_s <= 0.0 {
+            let overlap = InferenceFailure::of_contact(start, end, contact_time_s);
+            return Err(Error::CannotInfer(overlap));
+        }
         let flight = model.from_flight_time(time_s)?;
         let slopes = model.launch_derivatives(&flight)?;
         Ok(Some(Self {
