@@ -398,7 +398,9 @@ fn other_answers_do_not_depend_on_each_impact() {
     };
     let (with, without) = (found(true), found(false));
     assert!(with.impacts.len() == impacts.len() && without.impacts.is_empty());
-    assert!(with.total_time_s.is_some() && without.total_time_s.is_none());
+    // From fewer draws.
+    let [all, few] = [&with, &without].map(|it| it.total_time_s.unwrap());
+    assert!((few.value - all.value).abs() < all.sd, "{all:?} {few:?}");
     let codes = |it: &Posterior| it.diagnostics.iter().map(|it| it.code).collect::<Vec<_>>();
     assert_eq!(codes(&with), codes(&without));
     for impact in &with.impacts {

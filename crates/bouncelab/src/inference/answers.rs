@@ -5,7 +5,7 @@ use super::likelihood::Innovation;
 use super::medium::Medium;
 use super::parameters::{
     MAX_REMAINING_RESTITUTION, MAX_TERMINAL_SPEED_STEPS, MIN_SHARE_AT_REST, NEWTON_TOLERANCE,
-    ROUND_SPEEDS_M_S, THINNING,
+    ROUND_SPEEDS_M_S, SPARSE, THINNING,
 };
 use super::pool::DrawnDrop;
 use super::posterior::{Draws, ImpactPosterior, Model, Posterior, Sampling};
@@ -93,11 +93,13 @@ impl Answers {
         let rms_s = (squares / sigma_s.len() as f64).sqrt();
         let contact_time_s = self.of_points(|point| point.contact_time_s);
         let prior_contraction = identify::prior_contraction(&posterior);
-        let drops = if inference.each_impact {
-            posterior.drops(&self.points)
+        // Time and path until rest take few whole drops, the results of each impact many.
+        let every = if inference.each_impact {
+            THINNING
         } else {
-            Vec::new()
+            SPARSE
         };
+        let mut drops = posterior.drops(&self.points, every);
         let rest: Vec<Rest> = drops.iter().filter_map(|drop| drop.rest).collect();
         let rests = rest.len() as f64 >= MIN_SHARE_AT_REST * drops.len() as f64 && !rest.is_empty();
         let of_rest = |number: fn(Rest) -> f64| {
@@ -106,6 +108,9 @@ impl Answers {
         };
         let (total_time_s, total_path_m) = (of_rest(|it| it.time_s), of_rest(|it| it.path_m));
         let rest = if rests { rest } else { Vec::new() };
+        if !inference.each_impact {
+            drops.clear();
+        }
         let drag_coefficient = self.drag_coefficients(&posterior);
         let drag = self.drag(&posterior, &drag_coefficient);
         let gravity_m_s2 = of(&self.environment_gravity(&posterior))?;
@@ -171,7 +176,11 @@ impl Answers {
                 restitution: self.restitution,
                 drag_coefficient,
                 drop_height_m: self.drop_height_m,
-                total_time_s: rest.iter().map(|rest| rest.time_s).collect(),
+                total_time_s: if inference.each_impact {
+                    rest.iter().map(|rest| rest.time_s).collect()
+                } else {
+                    Vec::new()
+                },
             },
             fitted_speeds_m_s: [speeds.slowest_m_s, speeds.fastest_m_s],
             weights,

@@ -100,9 +100,9 @@ pub struct InferenceOptions {
     pub reach: Vec<ApexTarget>,
     /// How much to compute.
     pub sampler: SamplerConfig,
-    /// Whether to summarise each impact and flight, and the time until the ball rests. A drop that is only
-    /// compared with others needs neither, and its inference takes a third less time: [`Posterior::impacts`] is empty then,
-    /// and time and path until rest are unknown.
+    /// Whether to summarise each impact and flight. A drop that is only compared with others does not need that, and its
+    /// inference takes a third less time: [`Posterior::impacts`] is empty then, and time and path until rest follow from
+    /// fewer draws.
     #[cfg_attr(feature = "serde", serde(skip, default = "each_impact"))]
     #[cfg_attr(feature = "typescript", ts(skip))]
     pub each_impact: bool,

@@ -291,6 +291,10 @@ pub(super) const MIN_PART_OF_DRAWS: usize = 40;
 /// Expensive summaries use one of this number of draws.
 pub(super) const THINNING: usize = 2;
 
+/// Time and path until rest of a drop that is only compared with others use one of this number of draws: sixty determine
+/// a standard uncertainty to a tenth.
+pub(super) const SPARSE: usize = 16;
+
 /// Share of the draws that must come to rest: the others last longest, so without them the time would be too short.
 pub(super) const MIN_SHARE_AT_REST: f64 = 0.99;
 

@@ -8,7 +8,7 @@ use rand_chacha::ChaCha8Rng;
 use super::candidates::{Candidate, SampledPosterior, best_evidence};
 use super::fit;
 use super::order::order;
-use super::parameters::{MANY_FLIGHTS, MIN_PART_OF_DRAWS, PRUNE_BELOW, RELEVANT_WEIGHT, THINNING};
+use super::parameters::{MANY_FLIGHTS, MIN_PART_OF_DRAWS, PRUNE_BELOW, RELEVANT_WEIGHT};
 use super::predict::{self, Future, Rest};
 use super::sample;
 use super::smoothing::DropState;
@@ -218,9 +218,9 @@ impl SampledPosterior {
         1.0 / variance
     }
 
-    /// Whole drops for one of every [`THINNING`] draws, given the points of all draws; none if one of them is not valid.
-    pub(super) fn drops(&self, points: &[Point]) -> Vec<DrawnDrop> {
-        let draws = self.draws.iter().zip(points).step_by(THINNING);
+    /// Whole drops for one of every `every` draws, given the points of all draws; none if one of them is not valid.
+    pub(super) fn drops(&self, points: &[Point], every: usize) -> Vec<DrawnDrop> {
+        let draws = self.draws.iter().zip(points).step_by(every);
         let chosen: Vec<(usize, Point)> = draws
             .map(|(draw, point)| (draw.candidate, *point))
             .collect();
