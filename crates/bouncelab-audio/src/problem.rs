@@ -213,6 +213,23 @@ pub enum TimesProblem {
         /// Number of rows below them.
         rows: usize,
     },
+    /// None of the tables of a file is a list.
+    #[error(
+        "none of its tables is a list of impact times (it holds: {found}); open a recording by itself, and recordings of \
+         a class with session"
+    )]
+    NoList {
+        /// The names of the tables.
+        found: String,
+    },
+    /// Two tables of a file hold times of different drops.
+    #[error("the tables {first} and {second} hold different times; keep one of them")]
+    TablesDisagree {
+        /// The name of the fuller one.
+        first: String,
+        /// The name of the other one.
+        second: String,
+    },
     /// Numbers without a heading are in no order.
     #[error(
         "{number} after {before}: numbers without a heading are impact times, which increase, or intervals, which \

@@ -6,7 +6,8 @@
 #![allow(clippy::missing_errors_doc)]
 
 use bouncelab::Diagnostic;
-use bouncelab_audio::{SoundReader, Warning};
+use bouncelab_audio::times::TimeList;
+use bouncelab_audio::{Input, SoundReader, Warning};
 use bouncelab_report::figure::{self, DropSummary};
 use bouncelab_report::link::LinkedDrop;
 use wasm_bindgen::prelude::*;
@@ -14,8 +15,44 @@ use wasm_bindgen::prelude::*;
 use crate::groups;
 use crate::language::translator;
 use crate::link;
-use crate::refusal::Result;
-use crate::wire::ComparedDrop;
+use crate::refusal::{Refusal, Result};
+use crate::wire::{ComparedDrop, ReadList};
+
+/// The content of a file: a list of times, or sound.
+#[wasm_bindgen]
+pub struct Opened(Input);
+
+#[wasm_bindgen]
+impl Opened {
+    /// Opens the content of a file.
+    #[wasm_bindgen(constructor)]
+    pub fn new(bytes: Vec<u8>, name: &str) -> Result<Self> {
+        Ok(Self(Input::from_bytes(bytes, name)?))
+    }
+
+    /// The list of times, if it is one.
+    pub fn list(&self) -> Result<Option<String>> {
+        let Input::Times(TimeList { times_s, origin }) = &self.0 else {
+            return Ok(None);
+        };
+        let list = ReadList {
+            times_s: times_s.clone(),
+            origin: origin.clone(),
+        };
+        Ok(Some(serde_json::to_string(&list)?))
+    }
+
+    /// The sound, if it is no list.
+    pub fn decoder(self) -> Result<Decoder> {
+        match self.0 {
+            Input::Sound(source) => Ok(Decoder {
+                samples: vec![Vec::new(); source.channels()],
+                source: *source,
+            }),
+            Input::Times(_) => Err(Refusal::fault("a list of times has no sound")),
+        }
+    }
+}
 
 /// A recording that is being decoded.
 #[wasm_bindgen]
@@ -26,16 +63,6 @@ pub struct Decoder {
 
 #[wasm_bindgen]
 impl Decoder {
-    /// Opens the content of a file.
-    #[wasm_bindgen(constructor)]
-    pub fn new(bytes: Vec<u8>, name: &str) -> Result<Self> {
-        let source = SoundReader::from_bytes(bytes, name)?;
-        Ok(Self {
-            samples: vec![Vec::new(); source.channels()],
-            source,
-        })
-    }
-
     /// Samples a second.
     #[wasm_bindgen(js_name = sampleRateHz)]
     pub fn sample_rate_hz(&self) -> u32 {

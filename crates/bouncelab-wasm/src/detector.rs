@@ -4,11 +4,10 @@ use bouncelab::analysis::{DetectionOptions, DropTask, Gap, Plan, rests_at_s};
 use bouncelab::onset::OnsetDetector;
 use bouncelab::train::Train;
 use bouncelab::{Detector, Diagnostic, Impact, Options, Recording};
-use bouncelab_audio::times;
 
 use crate::pyramid::{Level, Pyramid};
 use crate::refusal::Result;
-use crate::wire::SoFar;
+use crate::wire::{ReadList, SoFar};
 
 /// Detects drops in a recording as it comes, and keeps its loudness at any zoom.
 ///
@@ -94,15 +93,10 @@ impl RecordingDetector {
     }
 }
 
-/// Reads a list of times; the extension of its name states the format.
-///
-/// # Errors
-///
-/// If it is not a list of times.
-pub fn of_times(content: &[u8], name: &str) -> Result<Recording> {
+/// A list of times as a recording.
+pub fn of_list(list: &ReadList) -> Recording {
     let options = Options::default().without_inference();
-    let list = times::parse(content, name)?;
-    Ok(Plan::of_list(&list.times_s, list.origin, &options).run())
+    Plan::of_list(&list.times_s, list.origin.clone(), &options).run()
 }
 
 /// The onset nearest to a time in samples that begin at `start_s`, as an impact.

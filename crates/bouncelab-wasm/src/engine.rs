@@ -6,7 +6,7 @@
 #![allow(clippy::missing_errors_doc)]
 
 use bouncelab::detection::Envelope;
-use bouncelab_audio::{SampleFormat, encode_wav, times};
+use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_report::Chart;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::paper;
@@ -39,16 +39,10 @@ pub fn js_catalogue() -> Result<String> {
     json(&catalogue()?)
 }
 
-/// Whether a file of this name is read as a list of times.
-#[wasm_bindgen(js_name = isList)]
-pub fn is_list(name: &str) -> bool {
-    times::is_list(name)
-}
-
-/// A list of times as a recording.
-#[wasm_bindgen(js_name = readTimes)]
-pub fn read_times(content: &[u8], name: &str) -> Result<String> {
-    json(&detector::of_times(content, name)?)
+/// A list of times, as [`decoders`](crate::decoders) read it, as a recording.
+#[wasm_bindgen(js_name = listed)]
+pub fn listed(list: &str) -> Result<String> {
+    json(&detector::of_list(&read(list)?))
 }
 
 fn samples_per_bin(levels: &[Level]) -> Vec<u32> {

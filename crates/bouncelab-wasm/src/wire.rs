@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use ts_rs::TS;
 
 use bouncelab::air::Conditions;
-use bouncelab::analysis::{Drop, DropCandidate, Source, StrongestBand, renumbered};
+use bouncelab::analysis::{Drop, DropCandidate, ListOrigin, Source, StrongestBand, renumbered};
 use bouncelab::groups::RestitutionCurve;
 use bouncelab::inference::{Measured, Posterior};
 use bouncelab::settings::Settings;
@@ -327,6 +327,15 @@ impl From<ComparedDrop> for DropSummary {
             impacts: kept.impacts,
         }
     }
+}
+
+/// A list of times between the module that reads it and the one that analyses it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReadList {
+    /// Impact times in seconds, increasing.
+    pub times_s: Vec<f64>,
+    /// Where they come from.
+    pub origin: ListOrigin,
 }
 
 /// How a simulated drop sounds.

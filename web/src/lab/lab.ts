@@ -24,7 +24,6 @@ import type {
   StudyRequest,
 } from './engine/types.ts';
 import { LabError } from './error.ts';
-import { listOf } from './pasted.ts';
 import {
   ENGLISH,
   type FigureRequest,
@@ -109,8 +108,8 @@ export class Lab {
   }
 
   /**
-   * Reads a recording of any format, or a list of times (by the ending of its name: .txt, .csv or
-   * .json), and detects the drops in it.
+   * Reads a recording of any format, or a list of times (by the ending of its name, such as .csv or
+   * .xlsx), and detects the drops in it.
    */
   async open(file: File | { name: string; blob: Blob }, options: OpenOptions = {}) {
     const blob = file instanceof File ? file : file.blob;
@@ -130,8 +129,7 @@ export class Lab {
 
   /** Impact times as a person pastes them: one a line, or a table, or an array. */
   async paste(text: string): Promise<Recording> {
-    const list = listOf(text);
-    return this.open({ name: list.name, blob: new Blob([list.text]) });
+    return this.open({ name: 'times.txt', blob: new Blob([text]) });
   }
 
   /**

@@ -50,11 +50,12 @@ const handlers: Handlers = {
   catalogue: () => ({ response: JSON.parse(science.catalogue()) }),
 
   open: ({ bytes, name, channel }, { progress }) => {
-    const content = new Uint8Array(bytes);
-    if (science.isList(name)) {
-      return { response: { result: JSON.parse(science.readTimes(content, name)), sound: null } };
+    const opened = new decoding.Opened(new Uint8Array(bytes), name);
+    const list = opened.list();
+    if (list !== undefined) {
+      return { response: { result: JSON.parse(science.listed(list)), sound: null } };
     }
-    const decoder = new decoding.Decoder(content, name);
+    const decoder = opened.decoder();
     const sampleRateHz = decoder.sampleRateHz();
     const expected = (decoder.durationS() ?? 0) * sampleRateHz;
     const channels = Array.from({ length: decoder.channels() }, () => new Samples(expected));

@@ -20,9 +20,11 @@
 //! increase. Other units are not guessed at.
 
 mod audacity;
+mod book;
 mod events;
 pub(crate) mod heading;
 mod layer;
+mod sheet;
 pub(crate) mod table;
 mod text_grid;
 
@@ -152,15 +154,25 @@ pub(crate) fn listed(content: &[u8], name: &str) -> error::Result<Listed> {
     let Some(format) = ListFormat::of(name) else {
         return Err(refused((None, TimesProblem::Ending)));
     };
-    let Some(text) = decoded(content) else {
-        return Err(refused((None, TimesProblem::NotText)));
+    // By their first bytes, whatever the ending is.
+    let tables = if content.starts_with(b"PK") {
+        match sheet::of_archive(content) {
+            Ok(None) => book::of_zip(content),
+            sheets => sheets.map(Option::unwrap_or_default),
+        }
+    } else if content.starts_with(&[0xd0, 0xcf, 0x11, 0xe0]) {
+        sheet::xls(content)
+    } else {
+        let text = decoded(content).ok_or_else(|| refused((None, TimesProblem::NotText)))?;
+        return of_text(&text, format, name);
     };
-    of_text(&text, format, name)
+    book::of_tables(tables.map_err(|problem| refused((None, problem)))?, name)
 }
 
+/// What a text holds, by its format.
 fn of_text(text: &str, format: ListFormat, name: &str) -> error::Result<Listed> {
     let refused = |(line, problem)| Error::times(name, line, problem);
-    if matches!(format, ListFormat::Text | ListFormat::Csv)
+    if format.is_table()
         && let Some(waveform) =
             Waveform::find(text, matches!(format, ListFormat::Csv)).map_err(refused)?
     {
@@ -174,7 +186,7 @@ fn of_text(text: &str, format: ListFormat, name: &str) -> error::Result<Listed> 
         ListFormat::Text if text.trim_start().starts_with('[') => {
             array(text).and_then(Events::of_numbers)
         }
-        ListFormat::Text | ListFormat::Csv => of_table(text, format),
+        ListFormat::Text | ListFormat::Csv | ListFormat::Book => of_table(text, format),
     };
     events.map_err(refused)?.list(name).map(Listed::Times)
 }
@@ -263,16 +275,22 @@ enum ListFormat {
     Text,
     /// The same, or columns separated by commas.
     Csv,
+    /// Sheets or an archive.
+    Book,
     Json,
     TextGrid,
     Layer,
 }
 
 /// The formats, by the endings of file names.
-const FORMATS: [(&str, ListFormat); 6] = [
+const FORMATS: [(&str, ListFormat); 10] = [
     ("txt", ListFormat::Text),
     ("csv", ListFormat::Csv),
     ("tsv", ListFormat::Text),
+    ("xls", ListFormat::Book),
+    ("xlsx", ListFormat::Book),
+    ("ods", ListFormat::Book),
+    ("zip", ListFormat::Book),
     ("json", ListFormat::Json),
     ("TextGrid", ListFormat::TextGrid),
     ("svl", ListFormat::Layer),
@@ -284,6 +302,11 @@ pub fn endings() -> impl Iterator<Item = &'static str> {
 }
 
 impl ListFormat {
+    /// Whether a text of it may be a table. A sheet that is a text was renamed.
+    fn is_table(self) -> bool {
+        matches!(self, Self::Text | Self::Csv | Self::Book)
+    }
+
     fn of(name: &str) -> Option<Self> {
         let extension = Path::new(name).extension()?.to_str()?;
         let is_same = |(ending, _): &&(&str, Self)| ending.eq_ignore_ascii_case(extension);

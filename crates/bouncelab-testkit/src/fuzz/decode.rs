@@ -71,6 +71,7 @@ pub(super) fn read_times(bytes: &[u8]) {
     for name in [
         "fuzz.txt",
         "fuzz.csv",
+        "fuzz.xls",
         "fuzz.json",
         "fuzz.TextGrid",
         "fuzz.svl",
