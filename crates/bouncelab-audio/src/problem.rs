@@ -213,6 +213,11 @@ pub enum TimesProblem {
         /// Number of rows below them.
         rows: usize,
     },
+    /// A table of results, which names recordings.
+    #[error(
+        "a table about recordings (it has a column recording), and no list of impact times; analyze the recordings"
+    )]
+    OfRecordings,
     /// None of the tables of a file is a list.
     #[error(
         "none of its tables is a list of impact times (it holds: {found}); open a recording by itself, and recordings of \

@@ -401,6 +401,10 @@ fn what_is_no_list_of_one_drop_is_refused() {
             "several columns of times and 2 rows",
         ),
         (
+            "recording,drop,impact,time_s\na.wav,1,1,0.5\na.wav,1,2,0.9\n",
+            "a table about recordings",
+        ),
+        (
             "0.1\n0.3\n0.2\n",
             "impact times, which increase, or intervals, which decrease",
         ),

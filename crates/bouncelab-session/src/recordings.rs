@@ -6,7 +6,7 @@ use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 use bouncelab::{Options, Plain};
-use bouncelab_audio::{Input, SoundFormat};
+use bouncelab_audio::{Error as Unread, Input, SoundFormat, TimesProblem, times};
 use bouncelab_report::groups::some_of;
 use bouncelab_report::messages::Translator;
 
@@ -47,6 +47,30 @@ impl RecordingFile {
     /// The name of its file, with folders.
     fn file(&self) -> &Path {
         self.entry.as_ref().map_or(&self.path, |entry| &entry.name)
+    }
+
+    /// Whether its content is a list of times, or was meant to be one; what cannot be read is reported with its reason.
+    fn holds_times(&self) -> bool {
+        let list = match &self.entry {
+            None => times::read(&self.path),
+            Some(entry) => match archive::read(&self.path, entry) {
+                Ok(content) => times::parse(&content, &self.name),
+                Err(_) => return true,
+            },
+        };
+        match list {
+            Err(Unread::Times { problem, .. }) => !matches!(
+                problem,
+                TimesProblem::NoTimeColumn { .. }
+                    | TimesProblem::NamelessColumns { .. }
+                    | TimesProblem::OfRecordings
+                    | TimesProblem::NotArray { .. }
+                    | TimesProblem::NotText
+                    | TimesProblem::NoList { .. }
+            ),
+            Err(Unread::Empty { .. }) => false,
+            _ => true,
+        }
     }
 
     /// The hash of its content.
@@ -118,8 +142,7 @@ impl Session {
     pub fn gather(sources: &Sources) -> Result<Self> {
         let mut search = Search {
             is_alone: sources.inputs.len() == 1,
-            file: None,
-            recordings: Vec::new(),
+            ..Search::default()
         };
         for input in &sources.inputs {
             search.add(input)?;
@@ -127,8 +150,12 @@ impl Session {
         let Search {
             file,
             mut recordings,
+            lists,
             ..
         } = search;
+        if recordings.is_empty() {
+            recordings = whole_lists(lists);
+        }
         if recordings.is_empty() {
             let searched: Vec<String> = sources.inputs.iter().map(|path| shown(path)).collect();
             return Err(Error::NoRecordings {
@@ -274,12 +301,15 @@ impl Names {
 }
 
 /// A search for recordings.
+#[derive(Default)]
 struct Search {
     /// Whether a single input was given, so that names are relative to it.
     is_alone: bool,
     /// The session file.
     file: Option<(PathBuf, Box<SessionFile>)>,
     recordings: Vec<RecordingFile>,
+    /// Lists of times in folders and archives, which count where no sound is: beside sound, tables are notes and labels.
+    lists: Vec<RecordingFile>,
 }
 
 impl Search {
@@ -309,9 +339,19 @@ impl Search {
 
     /// Adds all recordings in an archive.
     fn add_archive(&mut self, path: &Path) -> Result<()> {
-        for entry in archive::entries(path, is_recording)? {
-            let alone = name(&entry.name);
+        let entries = archive::entries(path, |name| is_recording(name) || is_list(name))?;
+        // An export of a stopwatch is one list in an archive.
+        if !entries.iter().any(|entry| is_recording(&entry.name)) && times::read(path).is_ok() {
             self.recordings.push(RecordingFile {
+                path: path.to_owned(),
+                entry: None,
+                name: name(path),
+            });
+            return Ok(());
+        }
+        for entry in entries {
+            let alone = name(&entry.name);
+            self.push(RecordingFile {
                 path: path.to_owned(),
                 name: if self.is_alone {
                     alone
@@ -322,6 +362,15 @@ impl Search {
             });
         }
         Ok(())
+    }
+
+    /// Adds what was found in a folder or an archive.
+    fn push(&mut self, found: RecordingFile) {
+        if is_recording(found.file()) {
+            self.recordings.push(found);
+        } else {
+            self.lists.push(found);
+        }
     }
 
     fn add_session(&mut self, path: &Path) -> Result<()> {
@@ -362,11 +411,11 @@ impl Search {
             let kind = entry.file_type().map_err(Error::read(&path))?;
             if kind.is_dir() {
                 self.add_folder(base, &path)?;
-            } else if is_recording(&path) && path.is_file() {
+            } else if (is_recording(&path) || is_list(&path)) && path.is_file() {
                 let below_base = path.strip_prefix(base).unwrap_or(&path);
                 let relative = below_base.strip_prefix(".").unwrap_or(below_base);
                 let called = name(if self.is_alone { relative } else { &path });
-                self.recordings.push(RecordingFile {
+                self.push(RecordingFile {
                     path,
                     entry: None,
                     name: called,
@@ -375,6 +424,34 @@ impl Search {
         }
         Ok(())
     }
+}
+
+/// Whether a file of a folder or an archive has the name of a list of times.
+fn is_list(path: &Path) -> bool {
+    path.to_str().is_some_and(times::is_list)
+}
+
+/// The files that are lists of one drop each, or damaged ones. A file of other content is none, and a stopwatch exports
+/// the same run as `Simple`, `Multiple` and, most of it, `All`.
+fn whole_lists(mut found: Vec<RecordingFile>) -> Vec<RecordingFile> {
+    let has_stem =
+        |found: &RecordingFile, stem| found.file().file_stem().is_some_and(|own| own == stem);
+    let whole = found.iter().filter(|found| has_stem(found, "All"));
+    let whole: BTreeSet<PathBuf> = whole
+        .filter_map(|all| Some(all.file().parent()?.to_owned()))
+        .collect();
+    let is_part = |found: &RecordingFile| {
+        let parts = ["Simple", "Multiple"]
+            .iter()
+            .any(|stem| has_stem(found, stem));
+        parts
+            && found
+                .file()
+                .parent()
+                .is_some_and(|folder| whole.contains(folder))
+    };
+    found.retain(|found| !is_part(found) && found.holds_times());
+    found
 }
 
 /// Whether a file of a folder or an archive has the name of a recording; one that is named itself may have any.
@@ -426,6 +503,80 @@ mod tests {
         let session = gather(&folder).unwrap();
         let names: Vec<&str> = session.recordings.iter().map(|r| r.name.as_str()).collect();
         assert_eq!(names, ["a.WAV", "b.wav", "monday/c.m4a"]);
+    }
+
+    #[test]
+    fn a_folder_without_sound_is_searched_for_lists() {
+        let times = "Time (s)\n0.8\n1.4\n1.94\n";
+        let files = [
+            ("ada.csv", times),
+            (
+                "ben/All.csv",
+                "\"Event time (s)\",\"Interval (s)\"\n0.8,0.6\n1.4,0.54\n",
+            ),
+            (
+                "ben/Simple.csv",
+                "\"Start (s)\",\"Stop (s)\",\"Difference (s)\"\n0.8,1.4,0.6\n",
+            ),
+            (
+                "ben/meta/device.csv",
+                "\"property\",\"value\"\ndeviceModel,Seven\n",
+            ),
+            ("damaged.csv", "Time (s)\n0.8\noops\n"),
+            ("notes.csv", "recording,ball\nada.csv,golf\n"),
+            ("readme.txt", "Dropped from the table\n"),
+        ];
+        let names = |folder: &tempfile::TempDir| {
+            let session = gather(folder).unwrap();
+            session
+                .recordings
+                .into_iter()
+                .map(|found| found.name)
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(
+            names(&folder(&files)),
+            ["ada.csv", "ben/All.csv", "damaged.csv"]
+        );
+        // Beside sound they are labels of it.
+        assert_eq!(names(&folder(&[files[0], ("ada.wav", "")])), ["ada.wav"]);
+    }
+
+    #[test]
+    fn an_archive_has_the_lists_of_a_class_or_the_tables_of_one_stopwatch() {
+        let times = "Time (s)\n0.8\n1.4\n1.94\n";
+        let names = |files: &[(&str, &str)]| {
+            let file = tempfile::Builder::new().suffix(".zip").tempfile().unwrap();
+            let mut writer = zip::ZipWriter::new(file.reopen().unwrap());
+            for (name, text) in files {
+                writer
+                    .start_file(name, zip::write::SimpleFileOptions::default())
+                    .unwrap();
+                std::io::Write::write_all(&mut writer, text.as_bytes()).unwrap();
+            }
+            writer.finish().unwrap();
+            let session = Session::gather(&Sources {
+                inputs: vec![file.path().to_owned()],
+                ..Sources::default()
+            });
+            let own = name(file.path());
+            let names = session
+                .unwrap()
+                .recordings
+                .into_iter()
+                .map(|found| found.name.replace(&own, "export.zip"));
+            names.collect::<Vec<_>>()
+        };
+        let other = "Time (s)\n0.3\n0.9\n1.44\n";
+        assert_eq!(
+            names(&[("ada.csv", times), ("ben.csv", other)]),
+            ["ada.csv", "ben.csv"]
+        );
+        let export = [
+            ("All.csv", times),
+            ("Simple.csv", "Start (s),Stop (s)\n0.8,1.4\n"),
+        ];
+        assert_eq!(names(&export), ["export.zip"]);
     }
 
     #[test]

@@ -79,6 +79,9 @@ fn below(table: &Table, headings: &Row, rows: &[Row]) -> Result<Events> {
     if !times.is_empty() && headings.cells.iter().any(|cell| is_position(cell)) {
         return refuse(TimesProblem::Positions { found: found() });
     }
+    if headings.cells.iter().any(|cell| cell == "recording") {
+        return refuse(TimesProblem::OfRecordings);
+    }
     let sole: Vec<Chosen> = times
         .iter()
         .filter(|it| !it.heading.is_one_of_several)

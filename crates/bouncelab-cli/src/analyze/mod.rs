@@ -73,9 +73,10 @@ pub(crate) struct Arguments {
 fn about() -> String {
     format!(
         "Detect and analyse the drops in recordings, or in lists of impact times\n\n\
-         Reads sound ({}) and impact times in seconds: .txt (one per line), .csv (one per line, or a column \
-         `time` or `time_s`), .json (an array), a label track of Audacity (.txt) or a TextGrid of Praat. A \
-         sampled waveform as .csv or .txt (times at equal distances, and a column for each channel) is sound. \
+         Reads sound ({}) and lists of impact times: texts, tables and sheets (.txt, .csv, .xls, .xlsx, .ods; \
+         headings such as `Time (s)`, `interval_s`), exports of phyphox (.zip), .json (an array), labels of \
+         Audacity, Praat and Sonic Visualiser. A table of times at equal distances, with a column for each \
+         channel, is sound. \
          Exit status: 0 if every file has a drop, 1 if a file has none or cannot be read, 2 for wrong usage.",
         SoundFormat::names()
     )

@@ -472,6 +472,7 @@ page-reason-times-not-interval = { $text } ist kein Abstand von einem Aufprall z
 page-reason-times-not-layer = Das ist keine Ebene von Sonic Visualiser mit Punkten. Exportiere sie noch einmal (File > Export Annotation Layer).
 page-reason-times-no-list = Keine der Tabellen ist eine Liste von Aufprallzeiten: { $found }. Öffne eine Aufnahme für sich, die Aufnahmen einer Klasse als Dateien oder Ordner.
 page-reason-times-tables-disagree = Die Tabellen { $first } und { $second } haben verschiedene Zeiten. Behalte eine davon.
+page-reason-times-of-recordings = Das ist eine Tabelle über Aufnahmen und keine Liste von Aufprallzeiten. Öffne die Aufnahmen.
 page-reason-times-not-array = Erwartet war eine Liste von Zahlen wie [0.1, 0.45] ({ $detail }).
 page-reason-times-not-text-grid = Das ist kein TextGrid von Praat oder nicht das ganze. Speichere es in Praat noch einmal.
 page-reason-times-no-point-tier = Keine Spur hat Punkte, nur Intervalle: { $found }. Füge in Praat eine Spur mit einem Punkt bei jedem Aufprall hinzu (Tier > Add point tier…).

@@ -474,6 +474,7 @@ page-reason-times-not-interval = { $text } is no interval from one impact to the
 page-reason-times-not-layer = It is not a layer of Sonic Visualiser with points. Export it again (File > Export Annotation Layer).
 page-reason-times-no-list = None of its tables is a list of impact times: { $found }. Open a recording by itself, and recordings of a class as files or a folder.
 page-reason-times-tables-disagree = The tables { $first } and { $second } hold different times. Keep one of them.
+page-reason-times-of-recordings = It is a table about recordings, and no list of impact times. Open the recordings.
 page-reason-times-not-array = A list of numbers was expected, as in [0.1, 0.45] ({ $detail }).
 page-reason-times-not-text-grid = It is not a TextGrid of Praat, or not all of one. Save it from Praat again.
 page-reason-times-no-point-tier = No tier has points, only intervals: { $found }. In Praat, add a tier with a point at each impact (Tier > Add point tier…).

@@ -475,6 +475,7 @@ page-reason-times-not-interval = { $text } no es un intervalo de un impacto al s
 page-reason-times-not-layer = No es una capa de Sonic Visualiser con puntos. Expórtela otra vez (File > Export Annotation Layer).
 page-reason-times-no-list = Ninguna de las tablas es una lista de tiempos de impacto: { $found }. Abra una grabación sola, y las de una clase como archivos o carpeta.
 page-reason-times-tables-disagree = Las tablas { $first } y { $second } tienen tiempos distintos. Quédese con una.
+page-reason-times-of-recordings = Es una tabla sobre grabaciones, y no una lista de tiempos de impacto. Abra las grabaciones.
 page-reason-times-not-array = Se esperaba una lista de números, como [0.1, 0.45] ({ $detail }).
 page-reason-times-not-text-grid = No es un TextGrid de Praat, o no está entero. Guárdelo otra vez desde Praat.
 page-reason-times-no-point-tier = Ninguna capa tiene puntos, solo intervalos: { $found }. Añada en Praat una capa con un punto en cada impacto (Tier > Add point tier…).

@@ -475,6 +475,7 @@ page-reason-times-not-interval = { $text } n’est pas un intervalle d’un impa
 page-reason-times-not-layer = Ce n’est pas une couche de Sonic Visualiser avec des points. Exportez-la à nouveau (File > Export Annotation Layer).
 page-reason-times-no-list = Aucun des tableaux n’est une liste de temps d’impact : { $found }. Ouvrez un enregistrement seul, et ceux d’une classe comme fichiers ou dossier.
 page-reason-times-tables-disagree = Les tableaux { $first } et { $second } ont des temps différents. Gardez l’un des deux.
+page-reason-times-of-recordings = C’est un tableau sur des enregistrements, et non une liste de temps d’impact. Ouvrez les enregistrements.
 page-reason-times-not-array = Une liste de nombres était attendue, comme [0.1, 0.45] ({ $detail }).
 page-reason-times-not-text-grid = Ce n’est pas un TextGrid de Praat, ou pas en entier. Enregistrez-le à nouveau depuis Praat.
 page-reason-times-no-point-tier = Aucune couche n’a de points, seulement des intervalles : { $found }. Ajoutez dans Praat une couche avec un point à chaque impact (Tier > Add point tier…).
