@@ -20,13 +20,9 @@ pub(super) fn lines(drop: &Drop, physics: &Setup, details: bool) -> Vec<String> 
     lines.push(String::new());
     let lists = quantities::of_drop(drop, &physics.options, translator());
     let listed = |method: Method, heading: String| listed(&lists, method, heading, details);
-    let ball = translator().ball(&physics.ball);
-    let of_ball = [("ball", ball.as_str().into())];
-    let heading = text_with("analyze-inference-heading", &of_ball);
-    lines.extend(listed(Method::Inference, heading));
+    lines.extend(listed(Method::Inference, text("analyze-inference-heading")));
     let law = tables::drag_law(physics.options.environment.drag, translator());
-    let heading = [("ball", ball.as_str().into()), ("law", law.into())];
-    let heading = text_with("analyze-corrected-heading", &heading);
+    let heading = text_with("analyze-corrected-heading", &[("law", law.into())]);
     lines.extend(match &drop.per_impact {
         Ok(_) => listed(Method::PerImpact, heading),
         // The headline states it already.

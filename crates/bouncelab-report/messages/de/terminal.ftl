@@ -30,8 +30,8 @@ analyze-drop = { $drops ->
 analyze-line = Ausgleichsgerade
 analyze-line-heading = Ausgleichsgerade durch die Logarithmen der Flugzeiten, ohne Luft:
 analyze-corrected = Luftwiderstand herausgerechnet
-analyze-corrected-heading = Luftwiderstand herausgerechnet ({ $ball }, { $law }):
-analyze-inference-heading = Schätzung, mit Luft ({ $ball }):
+analyze-corrected-heading = Luftwiderstand herausgerechnet ({ $law }):
+analyze-inference-heading = Schätzung, mit Luft:
 
 analyze-details-models = Modelle, vor den Daten gleich wahrscheinlich:
 analyze-details-budget-restitution = Unsicherheitsbudget von e:

@@ -32,8 +32,8 @@ analyze-drop = { $drops ->
 analyze-line = Log-linear fit
 analyze-line-heading = Log-linear fit of the flight times, neglecting the air:
 analyze-corrected = Corrected for drag
-analyze-corrected-heading = Corrected for drag ({ $ball }, { $law }):
-analyze-inference-heading = Inference, with air ({ $ball }):
+analyze-corrected-heading = Corrected for drag ({ $law }):
+analyze-inference-heading = Inference, with air:
 
 analyze-details-models = Models, with equal prior probability:
 analyze-details-budget-restitution = Uncertainty budget of e:

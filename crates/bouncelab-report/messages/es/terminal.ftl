@@ -31,8 +31,8 @@ analyze-drop = { $drops ->
 analyze-line = Ajuste log-lineal
 analyze-line-heading = Ajuste log-lineal de los tiempos de vuelo, sin contar el aire:
 analyze-corrected = Corregido por arrastre
-analyze-corrected-heading = Corregido por arrastre ({ $ball }, { $law }):
-analyze-inference-heading = Inferencia, con aire ({ $ball }):
+analyze-corrected-heading = Corregido por arrastre ({ $law }):
+analyze-inference-heading = Inferencia, con aire:
 
 analyze-details-models = Modelos, con igual probabilidad a priori:
 analyze-details-budget-restitution = Balance de incertidumbre de e:

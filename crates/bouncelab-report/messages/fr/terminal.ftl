@@ -31,8 +31,8 @@ analyze-drop = { $drops ->
 analyze-line = Ajustement log-linéaire
 analyze-line-heading = Ajustement log-linéaire des temps de vol, air négligé :
 analyze-corrected = Corrigé de la traînée
-analyze-corrected-heading = Corrigé de la traînée ({ $ball }, { $law }) :
-analyze-inference-heading = Inférence, avec air ({ $ball }) :
+analyze-corrected-heading = Corrigé de la traînée ({ $law }) :
+analyze-inference-heading = Inférence, avec air :
 
 analyze-details-models = Modèles, de même probabilité a priori :
 analyze-details-budget-restitution = Bilan d’incertitude de e :

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use bouncelab::analysis::Drop;
-use bouncelab::diagnostic::{Code, Severity};
+use bouncelab::diagnostic::{Argument, Code, Severity};
 use bouncelab::inference::Posterior;
 use bouncelab::restitution::PerImpact;
 use bouncelab::settings::Setup;
@@ -11,7 +11,7 @@ use bouncelab::{Diagnostic, Error, Estimate};
 use serde::Serialize;
 
 use super::impact_speed;
-use crate::messages::{Translator, capital};
+use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
 
 /// The answer of a drop in sentences, of which each is true as it stands.
@@ -186,15 +186,19 @@ impl Writer<'_> {
 
     /// The ball for which the answer holds.
     fn ball(&self) -> Sentence {
-        let mut assumptions = self.setup.assumptions.iter();
-        let is_assumed = assumptions.any(|it| it.code == Code::AssumedBall);
-        let id = if is_assumed {
-            "answer-ball-assumed"
-        } else {
-            "answer-ball"
+        let assumed = |code| self.setup.assumptions.iter().find(|it| it.code == code);
+        if let Some(open) = assumed(Code::BallNotStated) {
+            return Sentence(vec![self.translator.diagnostic(open)]);
+        }
+        let usual = assumed(Code::AssumedBall).and_then(|it| it.arguments.get("ball"));
+        let (id, ball) = match usual {
+            Some(Argument::Text(name)) => {
+                ("answer-ball-assumed", self.translator.named("ball", name))
+            }
+            _ => ("answer-ball", self.translator.ball(&self.setup.ball)),
         };
-        let ball = [("ball", self.translator.ball(&self.setup.ball).into())];
-        Sentence(vec![capital(&self.translator.text_with(id, &ball))])
+        let ball = [("ball", ball.into())];
+        Sentence(vec![self.translator.text_with(id, &ball)])
     }
 
     /// The log-linear fit beside the impacts corrected for drag, which have the same speeds, and the drop height.
