@@ -15,7 +15,7 @@ pub(crate) struct Program {
     pub(crate) about: &'static str,
 }
 
-pub(crate) const PROGRAMS: [Program; 7] = [
+pub(crate) const PROGRAMS: [Program; 8] = [
     Program {
         name: "net",
         arguments: "[drops=1000] [sounds=FOLDER]... [out=FILE] [compare=FILE] [store=FILE]",
@@ -54,6 +54,11 @@ pub(crate) const PROGRAMS: [Program; 7] = [
         arguments: "FOLDER COUNT",
         about: "Write COUNT recordings with known truth, to measure sessions with",
     },
+    Program {
+        name: "sessions",
+        arguments: "[STUDIES]",
+        about: "Measure whether the intervals of sessions hold; print docs/tables/sessions.txt",
+    },
 ];
 
 /// Runs a program, optimised.
@@ -63,7 +68,7 @@ pub(crate) fn run(name: &str, arguments: &[String]) -> Result {
 }
 
 /// Programs and their arguments in the check. What makes recordings comes before what takes them.
-const ON_LITTLE: [&[&str]; 8] = [
+const ON_LITTLE: [&[&str]; 9] = [
     &["net", "drops=3", "out=net.txt"],
     &["calibrate", "2"],
     &["calibrate", "scenarios", "2", "true"],
@@ -72,6 +77,7 @@ const ON_LITTLE: [&[&str]; 8] = [
     &["detection", "cells", "timing", "drops=1"],
     &["detection", "silence", "hours=0.002"],
     &["laboratory", "laboratory", "3"],
+    &["sessions", "2"],
 ];
 
 pub(crate) fn check() -> Result {

@@ -21,6 +21,7 @@ pub mod misfit;
 pub mod net;
 pub mod recordings;
 pub mod scenario;
+pub mod sessions;
 pub mod stated;
 mod tape;
 pub mod verdicts;

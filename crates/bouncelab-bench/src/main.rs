@@ -5,12 +5,13 @@
 use std::process::ExitCode;
 
 use bouncelab_bench::{
-    Result, balls, calibration, call, damage, detection, drop_sounds, laboratory, net, verdicts,
+    Result, balls, calibration, call, damage, detection, drop_sounds, laboratory, net, sessions,
+    verdicts,
 };
 
 type Program = fn(&[String]) -> Result;
 
-const PROGRAMS: [(&str, Program); 9] = [
+const PROGRAMS: [(&str, Program); 10] = [
     ("balls", balls::run),
     ("calibrate", calibration::run),
     ("call", call::run),
@@ -19,6 +20,7 @@ const PROGRAMS: [(&str, Program); 9] = [
     ("drop-sounds", drop_sounds::run),
     ("laboratory", laboratory::run),
     ("net", net::run),
+    ("sessions", sessions::run),
     ("verdicts", verdicts::run),
 ];
 

@@ -290,8 +290,11 @@ impl Numbers {
         let [slowest, fastest] = posterior.fitted_speeds_m_s;
         self.add("slowest fitted speed", slowest);
         self.add("fastest fitted speed", fastest);
-        let shared = posterior.shared_sd(&[posterior.at_speed_m_s]);
-        self.add("shared sd", shared.and_then(|sd| sd.first().copied()));
+        let readings = posterior
+            .evidence()
+            .map_or_else(Vec::new, |evidence| evidence.readings);
+        let values: Vec<f64> = readings.iter().map(|reading| reading.value).collect();
+        self.sum("readings of the curve", &values);
         self.sum("rebounds", &posterior.rebounds_m(0.305));
         self.diagnostics("posterior diagnostic", &posterior.diagnostics);
     }

@@ -135,7 +135,7 @@ fn a_folder_with_names_that_speak() {
         .assert()
         .success()
         .stdout(contains("4 drops in 4 recordings"))
-        .stdout(contains("Differences by ball"))
+        .stdout(contains("Differences of groups"))
         .stdout(contains("drops.parquet"));
     for figure in ["groups.svg", "intervals.png", "run.svg"] {
         assert!(workspace.results().join(figure).is_file(), "{figure}");

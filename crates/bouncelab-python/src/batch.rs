@@ -194,7 +194,7 @@ pub(crate) fn endings() -> Vec<&'static str> {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Request {
-    by: Vec<String>,
+    by: Option<Vec<String>>,
     compare_at_m_s: Option<f64>,
     wanted: Option<f64>,
     exclude: Vec<String>,
@@ -225,7 +225,7 @@ impl Results {
         })
     }
 
-    /// The document of the schema `bouncelab.session/2`.
+    /// The document of the schema `bouncelab.session/3`.
     fn document(&self, py: Python<'_>, language: &str) -> Result<String> {
         let words = translator(language)?;
         py.detach(|| {

@@ -38,7 +38,7 @@ struct Request {
     pattern: Option<String>,
     notes: Option<PathBuf>,
     output: Option<PathBuf>,
-    by: Vec<String>,
+    by: Option<Vec<String>>,
     compare_at_m_s: Option<f64>,
     wanted: Option<f64>,
     exclude: Vec<String>,
@@ -265,7 +265,7 @@ impl Session {
         Ok((Table(drops), Table(impacts)))
     }
 
-    /// In a language: the document of the schema `bouncelab.session/2`, the figures with their names, and the report.
+    /// In a language: the document of the schema `bouncelab.session/3`, the figures with their names, and the report.
     fn reported(&self, language: &str) -> Result<(String, Charts, Page)> {
         let words = translator(language)?;
         let (outcome, results) = (self.outcome(&words)?, self.results());

@@ -80,7 +80,7 @@ def test_a_study_compares_the_groups(study: bl.Study) -> None:
     assert study.figures == ("groups", "intervals", "run")
     assert study._repr_html_() == study.figure("groups").svg()
     assert study._repr_html_().startswith("<svg")
-    assert study.to_dict("de")["schema"] == "bouncelab.session/2"
+    assert study.to_dict("de")["schema"] == "bouncelab.session/3"
     with pytest.raises(bl.UnknownNameError, match="groups"):
         study.figure("group")
     with pytest.raises(bl.UnknownNameError):

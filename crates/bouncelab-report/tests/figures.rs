@@ -1,10 +1,12 @@
 //! Every figure, with data as they come and as they should not come: it must be a drawing
 //! that any program can read, with its axes named, its colours kept and nothing outside.
 
+use bouncelab::Estimate;
 use bouncelab::detection::Envelope;
+use bouncelab::groups::CurvePoint;
 use bouncelab_report::figure::{
-    self, Curve, Detection, DragAxes, EvaluatedValue, GroupCurve, GroupInterval, GroupPoint, Line,
-    Mark, RunPoint, TimedFlight,
+    self, Curve, Detection, DragAxes, EvaluatedValue, GroupCurve, GroupInterval, Line, Mark,
+    RunPoint, TimedFlight,
 };
 use bouncelab_report::file::Outputs;
 use bouncelab_report::messages::Translator;
@@ -290,23 +292,21 @@ proptest! {
         check_drawing(&figure::drag(&curves, DragAxes::Linear, errors, &english))?;
         check_drawing(&figure::drag(&curves, DragAxes::Logarithmic, errors, &english))?;
         check_drawing(&figure::flight_times(&flights, Some(line), &english))?;
-        let means = numbers.iter().map(|&(speed_m_s, value)| GroupPoint {
+        let curve = numbers.iter().map(|&(speed_m_s, value)| CurvePoint {
             speed_m_s,
-            value,
-            interval95: errors.map(|error| [error, value]),
+            restitution: Estimate::normal(value, errors.unwrap_or(1.0)),
         });
         let group = GroupCurve {
             name: "any".to_owned(),
             impacts: points.clone(),
-            means: means.collect(),
+            curve: curve.collect(),
         };
         check_drawing(&figure::groups(&[group], &english))?;
         let intervals: Vec<_> = numbers
             .iter()
             .map(|&(mean, end)| GroupInterval {
                 name: "any".to_owned(),
-                mean,
-                interval95: Some([mean, end]),
+                restitution: Estimate { interval95: [mean, end], ..Estimate::normal(mean, 1.0) },
                 next95: errors.map(|error| [error, end]),
                 drops: vec![(end, end > 0.0)],
             })
@@ -613,8 +613,7 @@ fn long_names_are_broken_not_cut() {
     let group = "the old ball of the school, on the wooden floor in the gymnasium";
     let of_group = |mean| GroupInterval {
         name: group.to_owned(),
-        mean,
-        interval95: None,
+        restitution: Estimate::normal(mean, 0.01),
         next95: None,
         drops: Vec::new(),
     };

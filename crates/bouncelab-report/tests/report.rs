@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use bouncelab::analyze_times;
 use bouncelab::diagnostic::{Code, Diagnostic};
-use bouncelab::groups::{CurvePoint, RestitutionCurve};
+use bouncelab::groups::CurveEvidence;
+use bouncelab::inference::Measured;
 use bouncelab::settings::{Settings, Setup};
 use bouncelab_report::groups::{self, About, GroupStudy, NotedDrop, Question, Reason};
 use bouncelab_report::messages::Translator;
@@ -254,25 +255,12 @@ fn everything_on_a_page_of_groups_is_a_message() {
 
 /// So many drops of each of two balls, compared at a speed, and six of which there is something to say.
 fn group_page(drops: usize, at_speed_m_s: Option<f64>, translator: &Translator) -> Page {
-    let point = |value| {
-        move |speed_m_s| CurvePoint {
-            speed_m_s,
-            value,
-            own_sd: 0.001,
-            shared_sd: 0.0005,
-        }
-    };
+    let point = |value| move |speed_m_s| (speed_m_s, Measured { value, sd: 0.001 });
     let balls = ["1", "2"].map(|ball| BTreeMap::from([("0".to_owned(), ball.to_owned())]));
     let noted = (0..2 * drops).map(|place| NotedDrop {
         name: place.to_string().into(),
         factors: &balls[place % 2],
-        height_m: None,
-        temperature_k: None,
-        curve: RestitutionCurve(
-            [0.5, 1.0, 2.0]
-                .map(point(0.8 + 0.001 * place as f64))
-                .into(),
-        ),
+        evidence: CurveEvidence::measured(&[0.5, 1.0, 2.0].map(point(0.8 + 0.001 * place as f64))),
         scatter: None,
     });
     let troubles = (0..6).map(|place| Reason {

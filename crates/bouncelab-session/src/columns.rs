@@ -6,12 +6,13 @@
     reason = "an alias would fix the lifetime of the rows"
 )]
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::iter;
 use std::path::{Path, PathBuf};
 
-use bouncelab::groups::CurvePoint;
-use bouncelab::{Diagnostic, Options};
+use bouncelab::groups::Study;
+use bouncelab::inference::Measured;
+use bouncelab::{Diagnostic, Estimate, Options};
 use bouncelab_report::columns::{DropRecord, ENGLISH, TableKind, WHICH, sentences};
 use bouncelab_report::data_table::{Cell, Column, DataTable, Definition, Kind, cells, columns};
 use bouncelab_report::define_columns;
@@ -33,7 +34,16 @@ struct DropRow<'a> {
     of_recording: &'a [Diagnostic],
     by_hand: bool,
     outlier_score: Option<f64>,
-    common_speed_m_s: Option<f64>,
+    compared: Option<Compared>,
+}
+
+/// A drop as the study compares it.
+#[derive(Clone, Copy)]
+struct Compared {
+    speed_m_s: f64,
+    restitution: Option<Measured>,
+    shared_sd: Option<f64>,
+    height_m: Option<Estimate>,
 }
 
 impl DropRow<'_> {
@@ -43,11 +53,6 @@ impl DropRow<'_> {
 
     fn options(&self) -> &Options {
         self.recording.options()
-    }
-
-    fn common(&self) -> Option<CurvePoint> {
-        let curve = &self.record.posterior.as_ref()?.curve;
-        curve.at(self.common_speed_m_s?)
     }
 
     /// The cells of the table of drops behind those that say which drop it is.
@@ -71,12 +76,16 @@ const IN_A_SESSION: &[Definition<fn(&DropRow<'_>) -> Cell>] = define_columns! { 
     content_sha256: Text [""] "hash of the recording" = Some(row.key.content.to_string());
     settings_sha256: Text [""] "hash of the settings" = Some(row.key.settings.to_string());
     common_speed_m_s: Number ["m/s"] "impact speed at which the drops of the session are compared"
-        = row.common_speed_m_s;
-    common_restitution: Number [""] "restitution at the common speed" = Some(row.common()?.value);
+        = Some(row.compared?.speed_m_s);
+    common_restitution: Number [""] "restitution at the common speed, by the curve of its group and its own level"
+        = Some(row.compared?.restitution?.value);
     common_restitution_own_sd: Number [""] "its standard uncertainty from this drop alone"
-        = Some(row.common()?.own_sd);
-    common_restitution_shared_sd: Number [""] "its standard uncertainty by inputs that drops share"
-        = Some(row.common()?.shared_sd);
+        = Some(row.compared?.restitution?.sd);
+    common_restitution_shared_sd: Number [""] "standard uncertainty of its group that all drops share"
+        = row.compared?.shared_sd;
+    common_drop_height_m: Number ["m"] "drop height by the curve of its group"
+        = Some(row.compared?.height_m?.value);
+    common_drop_height_sd_m: Number ["m"] "its standard uncertainty" = Some(row.compared?.height_m?.sd);
     outlier_score: Number [""] "distance from its group, in robust standard deviations; empty unless it is an outlier"
         = row.outlier_score;
     left_out: Text [""] "why it is not in the study; empty if it is"
@@ -167,6 +176,7 @@ fn each_row(
     let fields = fields(results);
     let study = outcome.groups.study.as_ref().ok();
     let scores = outcome.outlier_scores();
+    let studied: BTreeMap<usize, usize> = iter::zip(outcome.studied.iter().copied(), 0..).collect();
     let has_drops = |place: usize| !outcome.drops_of(place).is_empty();
     results.each(has_drops, |place, key, record| {
         let recording = &results.recordings[place];
@@ -183,7 +193,7 @@ fn each_row(
                 of_recording: &record.diagnostics,
                 by_hand: drop.by_hand,
                 outlier_score: scores.get(&place).copied(),
-                common_speed_m_s: study.map(|study| study.at_speed_m_s),
+                compared: study.and_then(|study| compared(study, *studied.get(&place)?)),
             };
             of_drop([head.clone(), row.cells()].concat())?;
             for impact in TableKind::Impacts.rows(drop_record) {
@@ -191,6 +201,17 @@ fn each_row(
             }
         }
         Ok(())
+    })
+}
+
+/// A drop of a study, by its index there.
+fn compared(study: &Study, drop: usize) -> Option<Compared> {
+    let fitted = study.drops[drop]?;
+    Some(Compared {
+        speed_m_s: study.at_speed_m_s,
+        restitution: study.restitution_of(drop),
+        shared_sd: study.groups[fitted.group].shared_sd,
+        height_m: fitted.height_m,
     })
 }
 
@@ -210,7 +231,7 @@ pub(crate) fn tables_of_one(
             of_recording: &record.diagnostics,
             by_hand: false,
             outlier_score: None,
-            common_speed_m_s: None,
+            compared: None,
         };
         let head = cells(NUMBER, &(recording.name(), number));
         drops.rows.push([head.clone(), row.cells()].concat());

@@ -1,19 +1,20 @@
-//! The result of a session as data for programs: the schema `bouncelab.session/2`.
+//! The result of a session as data for programs: the schema `bouncelab.session/3`.
 //!
 //! The study is that of [`bouncelab::groups`], with names in place of indices.
 
 use std::collections::BTreeMap;
 
-use bouncelab::groups::{Difference, Factor, Group, Outlier, Study, Trend, VarianceComponent};
+use bouncelab::Estimate;
+use bouncelab::groups::{Difference, Group, Outlier, Study};
 use bouncelab_report::groups::{About, GroupStudy};
 use bouncelab_report::mark::Mark;
 use serde::Serialize;
 
 /// Name and version of the schema.
-pub const SCHEMA: &str = "bouncelab.session/2";
+pub const SCHEMA: &str = "bouncelab.session/3";
 
 /// The mark of its file: how it begins.
-pub const DOCUMENT_MARK: Mark = Mark::first("{\n  \"schema\": \"bouncelab.session/2\",");
+pub const DOCUMENT_MARK: Mark = Mark::first("{\n  \"schema\": \"bouncelab.session/3\",");
 
 /// The statistics of a session.
 #[derive(Debug, Clone, Serialize)]
@@ -30,15 +31,28 @@ pub struct SessionDocument<'a> {
 struct StudyDocument<'a> {
     at_speed_m_s: f64,
     by: Vec<&'a str>,
-    all: Named<'a, Group>,
     groups: Vec<Named<'a, Group>>,
-    varies: Vec<Named<'a, VarianceComponent>>,
     differences: Vec<Named<'a, Difference>>,
-    trends: Vec<Named<'a, Trend>>,
+    scatters: Vec<FactorScatter<'a>>,
+    heights: Vec<DropHeight<'a>>,
+    ruler_zero_m: Option<Estimate>,
     outliers: Vec<Named<'a, Outlier>>,
 }
 
-/// A result of the study, with the names of its factors, levels or drop.
+/// The relative scatter of the levels of a factor.
+#[derive(Debug, Clone, Serialize)]
+struct FactorScatter<'a> {
+    factor: &'a str,
+    scatter: Estimate,
+}
+
+#[derive(Debug, Clone, Serialize)]
+struct DropHeight<'a> {
+    name: &'a str,
+    height_m: Estimate,
+}
+
+/// A result of the study, with the names of its levels, groups or drop.
 #[derive(Debug, Clone, Serialize)]
 struct Named<'a, T> {
     #[serde(flatten)]
@@ -47,27 +61,15 @@ struct Named<'a, T> {
     result: &'a T,
 }
 
+/// The levels of a group, by their factors.
+type Levels<'a> = BTreeMap<&'a str, Option<&'a str>>;
+
 #[derive(Debug, Clone, Serialize)]
 #[serde(untagged)]
 enum Names<'a> {
-    Levels {
-        levels: BTreeMap<&'a str, Option<&'a str>>,
-    },
-    /// Empty for the drops themselves.
-    Factors {
-        factors: Vec<&'a str>,
-    },
-    Pair {
-        factor: &'a str,
-        of: &'a str,
-        less: &'a str,
-    },
-    Factor {
-        factor: &'a str,
-    },
-    Drop {
-        name: &'a str,
-    },
+    Levels { levels: Levels<'a> },
+    Pair { of: Levels<'a>, less: Levels<'a> },
+    Drop { name: &'a str },
 }
 
 impl<'a> SessionDocument<'a> {
@@ -87,44 +89,42 @@ impl<'a> StudyDocument<'a> {
     fn new(study: &'a Study, groups: &'a GroupStudy) -> Self {
         let factors = &groups.factors;
         let name = |factor: usize| factors[factor].name.as_str();
-        let names = |factors: &[usize]| factors.iter().map(|&factor| name(factor)).collect();
-        let differences = study.differences.iter().flat_map(|(factor, differences)| {
-            let Factor { name, levels } = &factors[*factor];
-            let pair = move |difference: &Difference| Names::Pair {
-                factor: name,
-                of: &levels[difference.of],
-                less: &levels[difference.less],
-            };
-            named(differences, pair)
-        });
-        let levels = |group: &Group| {
+        let levels = |group: &Group| -> Levels<'a> {
             let of = std::iter::zip(&groups.by, &group.levels).map(|(&factor, level)| {
                 let level = level.map(|level| factors[factor].levels[level].as_str());
                 (name(factor), level)
             });
-            Names::Levels {
-                levels: of.collect(),
-            }
+            of.collect()
         };
+        let heights = study.drops.iter().enumerate().filter_map(|(drop, fitted)| {
+            let height_m = fitted.as_ref()?.height_m?;
+            Some(DropHeight {
+                name: groups.name_of(drop),
+                height_m,
+            })
+        });
         Self {
             at_speed_m_s: study.at_speed_m_s,
-            by: names(&groups.by),
-            all: Named {
-                names: Names::Levels {
-                    levels: BTreeMap::new(),
-                },
-                result: &study.all,
-            },
-            groups: named(&study.groups, levels).collect(),
-            varies: named(&study.varies, |varies| Names::Factors {
-                factors: names(&varies.factors),
+            by: groups.by.iter().map(|&factor| name(factor)).collect(),
+            groups: named(&study.groups, |group| Names::Levels {
+                levels: levels(group),
             })
             .collect(),
-            differences: differences.collect(),
-            trends: named(&study.trends, |trend| Names::Factor {
-                factor: name(trend.factor),
+            differences: named(&study.differences, |difference| Names::Pair {
+                of: levels(&study.groups[difference.of]),
+                less: levels(&study.groups[difference.less]),
             })
             .collect(),
+            scatters: study
+                .scatters
+                .iter()
+                .map(|&(factor, scatter)| FactorScatter {
+                    factor: name(factor),
+                    scatter,
+                })
+                .collect(),
+            heights: heights.collect(),
+            ruler_zero_m: study.ruler_zero_m,
             outliers: named(&study.outliers, |outlier| Names::Drop {
                 name: groups.name_of(outlier.drop),
             })

@@ -6,7 +6,6 @@ use std::path::Path;
 use std::sync::Arc;
 
 use bouncelab::analysis::{Drop, Recording};
-use bouncelab::groups::RestitutionCurve;
 use bouncelab::{Diagnostic, Options, Plain};
 use bouncelab_audio::Input;
 use bouncelab_report::columns::DropRecord;
@@ -16,7 +15,7 @@ use crate::hash::{self, Hash, hash, hash_of_all};
 
 /// Name and version of the form of a [`Record`]: another whenever a record of before could not be read,
 /// or would say something else.
-pub const RECORD: &str = "bouncelab.record/3";
+pub const RECORD: &str = "bouncelab.record/4";
 
 /// What one recording says.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -110,11 +109,11 @@ impl From<&Recording> for Record {
     }
 }
 
-/// The record of a drop, with the curve by which drops are compared.
+/// The record of a drop, with the evidence by which drops are compared.
 fn compared(drop: &Drop) -> DropRecord {
     let mut record = DropRecord::from(drop);
     if let (Some(posterior), Ok(of_drop)) = (&mut record.posterior, &drop.posterior) {
-        posterior.curve = RestitutionCurve::from(of_drop);
+        posterior.evidence = of_drop.evidence();
     }
     record
 }

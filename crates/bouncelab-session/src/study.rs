@@ -6,8 +6,7 @@ use std::sync::Arc;
 
 use bouncelab::Estimate;
 use bouncelab::diagnostic::Code;
-use bouncelab::groups::RestitutionCurve;
-use bouncelab::inference::Measured;
+use bouncelab::groups::CurveEvidence;
 use bouncelab_report::columns::{DropRecord, PosteriorRecord};
 use bouncelab_report::groups::{About, GroupStudy, NotedDrop, Question, Reason};
 use bouncelab_report::messages::Translator;
@@ -254,7 +253,7 @@ impl CollectedDrop {
         let (studied, left_out) = match (left_out, record.posterior) {
             (None, Some(posterior)) => {
                 let scatter = record.quantities.get("restitution_scatter");
-                (Some(Studied::of(posterior, scatter)), None)
+                (Studied::of(posterior, scatter), None)
             }
             // If no inference was requested, this is reported once and not for each drop.
             (Some(_), None) if !asks_inference && !drop.by_hand => (None, None),
@@ -271,21 +270,16 @@ impl CollectedDrop {
 
 /// The contribution of a drop to the study.
 struct Studied {
-    curve: RestitutionCurve,
-    scatter: Option<Measured>,
+    evidence: CurveEvidence,
+    scatter: Option<f64>,
 }
 
 impl Studied {
-    fn of(posterior: PosteriorRecord, scatter: Option<&Estimate>) -> Self {
-        let measured = |scatter: &Estimate| {
-            let sd = scatter.known_sd()?;
-            let value = scatter.value;
-            Some(Measured { value, sd })
-        };
-        Self {
-            curve: posterior.curve,
-            scatter: scatter.and_then(measured),
-        }
+    fn of(posterior: PosteriorRecord, scatter: Option<&Estimate>) -> Option<Self> {
+        Some(Self {
+            evidence: posterior.evidence?,
+            scatter: scatter.map(|scatter| scatter.value),
+        })
     }
 
     fn noted<'a>(self, drop: &SessionDrop, recordings: &'a [KnownRecording]) -> NotedDrop<'a> {
@@ -293,9 +287,7 @@ impl Studied {
         NotedDrop {
             name: Arc::clone(&drop.name),
             factors: &metadata.factors,
-            height_m: metadata.height_m,
-            temperature_k: metadata.temperature_k,
-            curve: self.curve,
+            evidence: self.evidence,
             scatter: self.scatter,
         }
     }
@@ -335,7 +327,12 @@ pub(crate) fn left_out(
     match &drop.posterior {
         _ if by_hand => Some(translator.text("session-by-hand")),
         None => no_posterior.map(|why| translator.diagnostic(why)),
-        Some(posterior) if posterior.curve.0.is_empty() => {
+        Some(posterior)
+            if !posterior
+                .evidence
+                .as_ref()
+                .is_some_and(CurveEvidence::is_usable) =>
+        {
             Some(translator.text("session-no-curve"))
         }
         Some(_) => None,

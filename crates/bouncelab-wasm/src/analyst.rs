@@ -222,7 +222,7 @@ impl Analysis<'_> {
 }
 
 fn comparable(drop: &Drop) -> Option<Comparable> {
-    drop.posterior.as_ref().ok().map(Comparable::from)
+    Comparable::of(drop.posterior.as_ref().ok()?)
 }
 
 /// A figure as a picture, and as data.

@@ -1,7 +1,5 @@
 //! The study of kept drops: that of the program.
 
-use std::collections::BTreeMap;
-
 use bouncelab::groups::Group;
 use bouncelab_report::chart::Point;
 use bouncelab_report::groups::{About, GroupStudy, NotedDrop, Question, Reason, figures, page};
@@ -35,20 +33,10 @@ fn paged(request: &StudyRequest, translator: &Translator) -> Result<Page> {
     let studied: Vec<&StudiedDrop> = request.drops.iter().filter(is_comparable).collect();
     let by = request.by.iter().filter(|field| is_noted(&studied, field));
     let question = Question {
-        by: by.cloned().collect(),
+        by: Some(by.cloned().collect()),
         ..Question::default()
     };
-    // Without a field to group by, a study takes all fields.
-    let nothing = BTreeMap::new();
-    let is_one_group = question.by.is_empty();
-    let noted = studied.iter().filter_map(|drop| {
-        let factors = if is_one_group {
-            &nothing
-        } else {
-            &drop.factors
-        };
-        noted(drop, factors)
-    });
+    let noted = studied.iter().filter_map(|drop| noted(drop));
     let groups = GroupStudy::of(
         about(request, translator),
         noted.collect(),
@@ -72,25 +60,23 @@ fn paged(request: &StudyRequest, translator: &Translator) -> Result<Page> {
     Ok(page(&groups, &charts, &provenance, to_repeat, translator))
 }
 
-/// What a drop adds, if it knows its restitution at a speed at least.
+/// What a drop adds, if it says anything of the curve.
 fn comparable(drop: &StudiedDrop) -> Option<&Comparable> {
     let comparable = drop.comparable.as_ref();
-    comparable.filter(|comparable| !comparable.curve.0.is_empty())
+    comparable.filter(|comparable| comparable.evidence.is_usable())
 }
 
 fn is_noted(drops: &[&StudiedDrop], field: &str) -> bool {
     drops.iter().any(|drop| drop.factors.contains_key(field))
 }
 
-fn noted<'a>(drop: &StudiedDrop, factors: &'a BTreeMap<String, String>) -> Option<NotedDrop<'a>> {
-    let Comparable { curve, scatter } = comparable(drop)?.clone();
+fn noted(drop: &StudiedDrop) -> Option<NotedDrop<'_>> {
+    let Comparable { evidence, scatter } = comparable(drop)?.clone();
     Some(NotedDrop {
         name: drop.name.as_str().into(),
-        factors,
-        height_m: None,
-        temperature_k: None,
-        curve,
-        scatter,
+        factors: &drop.factors,
+        evidence,
+        scatter: Some(scatter),
     })
 }
 

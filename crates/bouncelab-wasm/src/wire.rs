@@ -11,8 +11,8 @@ use ts_rs::TS;
 
 use bouncelab::air::Conditions;
 use bouncelab::analysis::{Drop, DropCandidate, ListOrigin, Source, StrongestBand, renumbered};
-use bouncelab::groups::RestitutionCurve;
-use bouncelab::inference::{Measured, Posterior};
+use bouncelab::groups::CurveEvidence;
+use bouncelab::inference::Posterior;
 use bouncelab::settings::Settings;
 use bouncelab::{Diagnostic, Impact};
 use bouncelab_report::document::Document;
@@ -187,22 +187,19 @@ pub struct FigureTab {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct Comparable {
-    /// Its restitution, at speeds that all drops share.
-    pub curve: RestitutionCurve,
+    /// What it says of the restitution curve.
+    pub evidence: CurveEvidence,
     /// Scatter of ln e from impact to impact.
-    pub scatter: Option<Measured>,
+    pub scatter: f64,
 }
 
-impl From<&Posterior> for Comparable {
-    fn from(posterior: &Posterior) -> Self {
-        let scatter = posterior.restitution_scatter;
-        Self {
-            curve: RestitutionCurve::from(posterior),
-            scatter: scatter.known_sd().map(|sd| Measured {
-                value: scatter.value,
-                sd,
-            }),
-        }
+impl Comparable {
+    /// `None` if its draws say nothing of a curve.
+    pub fn of(posterior: &Posterior) -> Option<Self> {
+        Some(Self {
+            evidence: posterior.evidence()?,
+            scatter: posterior.restitution_scatter.value,
+        })
     }
 }
 
@@ -214,7 +211,7 @@ pub struct StudyRequest {
     pub title: String,
     /// The drops.
     pub drops: Vec<StudiedDrop>,
-    /// The fields that make groups; one of which nothing is noted makes none.
+    /// The fields that make groups, none for a single one; one of which nothing is noted makes none.
     pub by: Vec<String>,
     /// The day on which a report is made, if it states one.
     pub made: Option<String>,

@@ -44,7 +44,7 @@ export function studyOf(drops: readonly KeptDrop[], made: string | null): StudyR
   const fields = FIELDS.filter((field) => grouping.value.has(field) || isShared(field));
   const factorsOf = (drop: KeptDrop): [string, string][] =>
     fields
-      .map((field): [string, string] => [fieldName(field), levelOf(drop, field)])
+      .map((field): [string, string] => [field, levelOf(drop, field)])
       .filter(([, level]) => level !== '');
   return {
     title: text('page-drops-title'),
@@ -54,7 +54,7 @@ export function studyOf(drops: readonly KeptDrop[], made: string | null): StudyR
       comparable: drop.comparable ?? null,
       impacts: drop.restitutions.map(({ speedMS, value }): [number, number] => [speedMS, value]),
     })),
-    by: FIELDS.filter((field) => grouping.value.has(field)).map(fieldName),
+    by: FIELDS.filter((field) => grouping.value.has(field)),
     made,
   };
 }

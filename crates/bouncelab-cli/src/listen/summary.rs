@@ -2,8 +2,6 @@
 
 use bouncelab::Estimate;
 use bouncelab::analysis::Drop;
-use bouncelab::groups::Mean;
-use bouncelab::inference::Measured;
 use bouncelab_report::{Align, Quantity, Table, Unit};
 
 use crate::language::{text, translator};
@@ -74,31 +72,51 @@ pub(super) fn table(drops: &[&Drop]) -> Table {
         }));
         table.row(row);
     }
-    let means = COLUMNS.map(|column| {
-        let values = drops.iter().filter_map(|drop| (column.of)(drop));
-        let values = values.map(|estimate| Measured {
-            value: estimate.value,
-            sd: estimate.known_sd().unwrap_or(0.0),
-        });
-        let values: Vec<_> = values.filter(|drop| drop.value.is_finite()).collect();
-        let mean = Mean::of(&values).ok();
-        (column.unit, mean.filter(|mean| mean.drops > 1))
-    });
     if drops.len() > 1 {
-        let mut conclude = |id: &str, shown: fn(&Mean, Unit) -> Quantity| {
+        let means = COLUMNS.map(|column| {
+            let values = drops
+                .iter()
+                .filter_map(|drop| Some((column.of)(drop)?.value));
+            Scattered::of(
+                &values
+                    .filter(|value| value.is_finite())
+                    .collect::<Vec<f64>>(),
+            )
+        });
+        let mut conclude = |id: &str, shown: fn(&Scattered, Unit) -> Quantity| {
             let mut row = vec![text(id), String::new(), String::new()];
-            row.extend(means.iter().map(|(unit, mean)| {
-                let shown = |mean| shown(mean, *unit).text(translator());
+            row.extend(std::iter::zip(&COLUMNS, &means).map(|(column, mean)| {
+                let shown = |mean| shown(mean, column.unit).text(translator());
                 mean.as_ref().map_or_else(String::new, shown)
             }));
             table.row(row);
         };
-        conclude("listen-mean", |mean, unit| {
-            Quantity::measured(mean.value, mean.standard_error, unit)
+        conclude("listen-mean", |of, unit| {
+            Quantity::measured(of.mean, of.sd / of.count.sqrt(), unit)
         });
-        conclude("listen-scatter", |mean, unit| {
-            Quantity::rounded(mean.of_one_drop(), 2, unit)
+        conclude("listen-scatter", |of, unit| {
+            Quantity::rounded(of.sd, 2, unit)
         });
     }
     table
+}
+
+/// The mean and the standard deviation of two values or more.
+struct Scattered {
+    count: f64,
+    mean: f64,
+    sd: f64,
+}
+
+impl Scattered {
+    fn of(values: &[f64]) -> Option<Self> {
+        let count = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / count;
+        let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+        (values.len() > 1).then(|| Self {
+            count,
+            mean,
+            sd: (squares / (count - 1.0)).sqrt(),
+        })
+    }
 }

@@ -29,7 +29,7 @@ use crate::report::{OutputArguments, ReportFile, provenance, wrote_figure};
 use crate::settings::{SettingsArguments, impact_speed};
 use crate::terminal::{print, print_data, say};
 
-/// Analyse many recordings: means, scatter and differences of their drops
+/// Analyse many recordings: restitution curves, scatter and differences of their drops
 ///
 /// Takes recordings, folders or ZIP archives of recordings, or a session.toml with their metadata (see
 /// docs/session.md). Results are saved after each recording: a stopped run continues when it is
@@ -68,19 +68,19 @@ pub(crate) struct Arguments {
     /// Accept recordings that lack a metadata field which others have
     #[arg(long, help_heading = "Metadata")]
     allow_missing: bool,
-    /// Group the drops by these fields [default: ball, surface and other fields, except operator,
-    /// height and temperature]
+    /// Group the drops by these fields, or by '' all as one group [default: ball, surface and other fields, except
+    /// operator, student, place, height and temperature]
     #[arg(
         long,
         value_name = "FIELDS",
         value_delimiter = ',',
         help_heading = "Comparison"
     )]
-    by: Vec<String>,
-    /// Compare the drops at this impact speed, as in 1.5m/s [default: a speed that most drops cover]
+    by: Option<Vec<String>>,
+    /// Compare the groups at this impact speed, as in 1.5m/s [default: a round one that they have in common]
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true, value_parser = impact_speed, help_heading = "Comparison")]
     compare_at: Option<f64>,
-    /// State the number of drops needed for this half width of the 95 % interval of a mean, as in
+    /// State the number of drops needed for this half width of the 95 % interval of restitution, as in
     /// 0.001 [default: half of the present width]
     #[arg(
         long,
@@ -346,7 +346,12 @@ impl Arguments {
     fn study(&self) -> StudyOptions {
         StudyOptions {
             question: Question {
-                by: self.by.clone(),
+                by: self.by.as_ref().map(|by| {
+                    by.iter()
+                        .filter(|field| !field.is_empty())
+                        .cloned()
+                        .collect()
+                }),
                 at_speed_m_s: self.compare_at,
                 wanted: self.want,
             },

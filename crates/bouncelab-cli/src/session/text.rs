@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use bouncelab::diagnostic::Code;
-use bouncelab::groups::{Difference, Study};
+use bouncelab::groups::Study;
 use bouncelab_report::Table;
 use bouncelab_report::groups::{About, GroupStudy, Reason, tables};
 use bouncelab_report::messages::Value;
@@ -70,27 +70,41 @@ impl Page {
         for row in text_with("session-legend", &[("wanted", wanted)]).lines() {
             self.line(&format!("  {row}"));
         }
-        if details {
-            self.heading(&text("session-intervals"));
-            self.table(&tables::interval_table(groups, study, translator()));
-        }
-        if study.varies.len() > 1 {
-            self.heading(&text("session-varies"));
-            self.table(&tables::varies_table(groups, study, translator()));
-        }
-        for (factor, differences) in &study.differences {
-            let grouped = groups.by.contains(factor);
-            if (grouped || details) && !differences.is_empty() {
-                self.differences(groups, *factor, differences, details);
+        let tables = [
+            (
+                "session-scatters",
+                tables::scatter_table(groups, study, translator()),
+            ),
+            (
+                "session-differences",
+                tables::difference_table(groups, study, translator()),
+            ),
+        ];
+        let detailed = || {
+            [
+                (
+                    "session-intervals",
+                    tables::interval_table(groups, study, translator()),
+                ),
+                (
+                    "session-curves",
+                    tables::curve_table(groups, study, translator()),
+                ),
+                (
+                    "session-drop-heights",
+                    tables::height_table(groups, study, translator()),
+                ),
+            ]
+        };
+        let detailed = details.then(detailed).into_iter().flatten();
+        for (id, table) in tables.into_iter().chain(detailed) {
+            if !table.is_empty() {
+                self.heading(&text(id));
+                self.table(&table);
             }
         }
-        if !study.trends.is_empty() {
-            self.heading(&text("session-trends"));
-            self.table(&tables::trend_table(groups, study, translator()));
-        }
-        if details {
-            self.heading(&text("session-laws"));
-            self.table(&tables::law_table(groups, study, translator()));
+        if let Some(zero) = tables::ruler_zero(study, translator()) {
+            self.line(&format!("\n{zero}"));
         }
         if !study.outliers.is_empty() {
             self.heading(&text("session-outliers"));
@@ -104,7 +118,10 @@ impl Page {
                 let side = if outlier.off > 0.0 { "above" } else { "below" };
                 let outlier = [
                     ("name", groups.name_of(outlier.drop).into()),
-                    ("off", Value::fixed(outlier.off.abs(), 4)),
+                    (
+                        "off",
+                        format!("{} %", translator().fixed(100.0 * outlier.off.abs(), 2)).into(),
+                    ),
                     ("side", side.into()),
                     ("group", group.into()),
                     ("score", Value::fixed(outlier.score.abs(), 0)),
@@ -114,42 +131,6 @@ impl Page {
             self.heading(&format!("  {}", text("session-outliers-count")));
             self.table(&tables::without_table(groups, study, translator()));
             self.line(&format!("\n  {}", text("session-exclude")));
-        }
-    }
-
-    fn differences(
-        &mut self,
-        groups: &GroupStudy,
-        index: usize,
-        differences: &[Difference],
-        details: bool,
-    ) {
-        const MOST: usize = 10;
-        let factor = &groups.factors[index];
-        let others = groups.factors.iter().filter(|f| f.levels.len() > 1).count() > 1;
-        let others = if others { "yes" } else { "no" };
-        let by = [
-            ("factor", factor.name.as_str().into()),
-            ("others", others.into()),
-        ];
-        self.heading(&text_with("session-differences", &by));
-        let most = if details {
-            differences.len()
-        } else {
-            MOST.min(differences.len())
-        };
-        self.table(&tables::difference_table(
-            groups,
-            index,
-            &differences[..most],
-            translator(),
-        ));
-        if differences.len() > most {
-            let more = differences.len() - most;
-            self.line(&format!(
-                "  {}",
-                text_with("session-more", &[("count", more.into())])
-            ));
         }
     }
 

@@ -62,7 +62,7 @@ class Study(Reported):
 
     @property
     def groups(self) -> list[JSON]:
-        """The groups: levels, mean restitution, scatter; empty if the drops are not compared."""
+        """The groups: levels, restitution, curve, scatter; empty if the drops are not compared."""
         study = self.to_dict()["study"]
         groups = study["groups"] if isinstance(study, dict) else []
         assert isinstance(groups, list)
@@ -95,7 +95,7 @@ def session(
     notes: Notes | None = None,
     *,
     pattern: str | None = None,
-    by: Iterable[str] = (),
+    by: Iterable[str] | None = None,
     compare_at_m_s: float | None = None,
     wanted: float | None = None,
     exclude: Iterable[str] = (),
@@ -118,12 +118,12 @@ def session(
         ``frame.to_dict("records")`` of pandas. Quantities are texts with their unit.
     pattern : str, optional
         What the names of the files say, as in ``"{ball}_{surface}_{height}_{}"``.
-    by : iterable of str
-        What makes groups; ball, surface and what else was noted if left out.
+    by : iterable of str, optional
+        What makes groups, nothing for a single one; ball, surface and what else was noted if left out.
     compare_at_m_s : float, optional
-        Impact speed at which drops are compared; what most drops know if left out.
+        Impact speed at which groups are compared; a round one that they have in common if left out.
     wanted : float, optional
-        Half width of the 95 % interval that a mean should have.
+        Half width of the 95 % interval that the restitution should have.
     exclude : iterable of str
         Recordings, or ``"recording#2"`` for a second drop, to leave out of the comparison.
     allow_missing, allow_implausible : bool
@@ -172,7 +172,7 @@ def session(
             "pattern": None if pattern is None else text("pattern", pattern),
             "notes": csv_of_notes,
             "output": None if output is None else text("output", fspath(output)),
-            "by": [text("by", field) for field in by],
+            "by": None if by is None else [text("by", field) for field in by],
             "compare_at_m_s": None if compare_at_m_s is None else number("compare_at_m_s", compare_at_m_s),
             "wanted": None if wanted is None else number("wanted", wanted),
             "exclude": [text("exclude", name) for name in exclude],

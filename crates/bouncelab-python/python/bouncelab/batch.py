@@ -262,13 +262,13 @@ def explode(
 def study(
     results: str | PathLike[str],
     *,
-    by: Iterable[str] = (),
+    by: Iterable[str] | None = None,
     compare_at_m_s: float | None = None,
     wanted: float | None = None,
     exclude: Iterable[str] = (),
     language: str = "en",
 ) -> dict[str, JSON]:
-    """Compare the drops that an engine analysed: the mixed model of :func:`bouncelab.session`.
+    """Compare the drops that an engine analysed: the model of :func:`bouncelab.session`.
 
     Parameters
     ----------
@@ -282,7 +282,7 @@ def study(
     Returns
     -------
     dict
-        The document of the schema ``bouncelab.session/2``.
+        The document of the schema ``bouncelab.session/3``.
 
     Raises
     ------
@@ -296,17 +296,17 @@ def study(
 
 #: What :func:`mean` says of a group, and where the document of a study has it.
 MEAN: dict[str, Callable[[Any], object]] = {
-    "restitution": lambda group: group["restitution"]["value"],
-    "standard_error": lambda group: group["restitution"]["standard_error"],
-    "drops": lambda group: group["restitution"]["drops"],
-    "between_drops": lambda group: group["restitution"]["between"],
+    "restitution": lambda group: group["restitution"] and group["restitution"]["value"],
+    "restitution_sd": lambda group: group["restitution"] and group["restitution"]["sd"],
+    "drops": lambda group: group["drops"],
+    "between_drops": lambda group: group["between_drops"]["value"],
     "between_impacts": lambda group: group["between_impacts"],
     "shared_sd": lambda group: group["shared_sd"],
 }
 
 
 def mean(rows: Iterable[pyarrow.RecordBatch], compare_at_m_s: float) -> dict[str, object]:
-    """Return the mean restitution of the drops of some rows, for engines that have the rows of a group.
+    """Return the restitution of the drops of some rows as one group, for engines that have the rows of a group.
 
     Parameters
     ----------
@@ -328,9 +328,9 @@ def mean(rows: Iterable[pyarrow.RecordBatch], compare_at_m_s: float) -> dict[str
         with parquet.ParquetWriter(path, first.schema) as writer:
             for part in itertools.chain([first], batches):
                 writer.write_batch(part)
-        document: dict[str, Any] = study(path, compare_at_m_s=compare_at_m_s)
+        document: dict[str, Any] = study(path, by=[], compare_at_m_s=compare_at_m_s)
     found = document["study"]
-    return {"no_study": document["no_study"]} | {name: found and of(found["all"]) for name, of in MEAN.items()}
+    return {"no_study": document["no_study"]} | {name: found and of(found["groups"][0]) for name, of in MEAN.items()}
 
 
 def _results(results: str | PathLike[str], options: Mapping[str, object]) -> _core.Results:
@@ -345,8 +345,8 @@ def _results(results: str | PathLike[str], options: Mapping[str, object]) -> _co
         value = options.get(name)
         return None if value is None else number(name, value)
 
-    request = {name: texts(name) for name in ("by", "exclude")}
-    request |= {name: some(name) for name in ("compare_at_m_s", "wanted")}  # type: ignore[misc]
+    request: dict[str, object] = {"exclude": texts("exclude"), "by": None if options.get("by") is None else texts("by")}
+    request |= {name: some(name) for name in ("compare_at_m_s", "wanted")}
     return _core.Results(fspath(results), json.dumps(request))
 
 

@@ -120,7 +120,7 @@ class _Task:
 
 
 def study(results: DataFrame, by: Iterable[str], *, compare_at_m_s: float) -> DataFrame:
-    """Return the mean restitution of each group of drops: that of :func:`bouncelab.batch.study`.
+    """Return the restitution of each group of drops: that of :func:`bouncelab.batch.study`.
 
     Parameters
     ----------

@@ -106,7 +106,7 @@ figure-flight-times-unused = nicht benutzt
 figure-flight-times-used = benutzte Flüge
 
 figure-groups-title = Die Stoßzahl jeder Gruppe über dem Tempo
-figure-groups-caption = Jeder Fleck ist ein Aufprall; die Linien sind die Mittel über die Versuche jeder Gruppe mit ihren 95-%-Bereichen.
+figure-groups-caption = Jeder Punkt ist ein Aufprall; jede Linie ist die Kurve einer Gruppe mit ihrem 95-%-Bereich.
 figure-groups-more = Die ersten { $shown } von { $all } Gruppen sind zu sehen.
 figure-groups-empty = Hier gibt es keinen Aufprall mit bekannter Stoßzahl.
 
@@ -127,7 +127,7 @@ figure-intervals-count = { $count ->
    *[other] { $count } Versuche
 }
 figure-intervals-drops = Versuche
-figure-intervals-mean = Mittel, 95 %
+figure-intervals-mean = Stoßzahl, 95 %
 figure-intervals-next = nächster Versuch, 95 %
 figure-intervals-outliers = Ausreißer
 
@@ -171,9 +171,9 @@ figure-restitution-odd = Ausreißer, zählt weniger
 figure-restitution-raw = ohne Luft gerechnet
 
 figure-run-title = Wandert etwas?
-figure-run-caption = Jeder Versuch ohne den Median seiner Gruppe, der Reihe nach: Ein Hang oder eine Stufe heißt, dass sich Ball, Untergrund oder Luft unterwegs geändert haben.
+figure-run-caption = Niveau jedes Versuchs ohne den Median seiner Gruppe, der Reihe nach: Eine Neigung oder eine Stufe bedeutet, dass sich Ball, Untergrund oder Luft geändert haben.
 figure-run-empty = Hier gibt es keine Versuche zu zeigen.
-figure-run-off = Stoßzahl ohne den Median der Gruppe
+figure-run-off = ln e minus Median der Gruppe
 figure-run-order = Versuch, der Reihe nach
 figure-run-outlier = Ausreißer
 figure-run-unchanged = wenn sich nichts ändert

@@ -257,15 +257,15 @@ session-ball-assumed = Der Luftwiderstand hängt vom Ball ab, der nicht angegebe
 session-title = Sitzung
 session-speed = Stoßzahl bei einem Aufpralltempo von { $speed } m/s:
 session-legend =
-    ±: Standardfehler des Mittels; gemeinsam: was alle Versuche teilen (Widerstandsgesetz, Luft, Ball) und
-    keine Zahl von Versuchen kleiner macht; { $wanted ->
+    ±: Standardunsicherheit; gemeinsam: was davon alle Versuche teilen (Luftwiderstand, Luft, Ball, Personen)
+    und keine Zahl von Versuchen kleiner macht; zwischen Versuchen: Streuung über ihre eigenen Fehler hinaus; { $wanted ->
         [none] nötig: Versuche insgesamt, die den Bereich halbieren würden
-       *[other] nötig: Versuche insgesamt für ein auf ± { $wanted } bekanntes Mittel (95 %)
+       *[other] nötig: Versuche insgesamt für eine auf ± { $wanted } bekannte Stoßzahl (95 %)
       }
-session-intervals = 95-%-Bereiche der Stoßzahl:
-session-varies = Varianzkomponenten (Standardabweichung der Stoßzahl):
-session-trends = Wie sich die Stoßzahl ändert, alles andere gleich:
-session-laws = Stoßzahl über dem Aufpralltempo, gemittelt über die Versuche, die es kennen:
+session-intervals = 95-%-Bereiche, und die Standardabweichungen nach ISO 5725:
+session-scatters = Streuung neben der der Versuche, relativ:
+session-curves = Stoßzahl über dem Aufpralltempo:
+session-drop-heights = Fallhöhen:
 session-outliers = Ausreißer in ihrer Gruppe; stimmt, was zu ihnen notiert ist?
 session-outlier = { $name }: { $off } { $side ->
     [above] über
@@ -273,10 +273,7 @@ session-outlier = { $name }: { $off } { $side ->
   } den anderen von { $group }, { $score } Standardabweichungen
 session-outliers-count = Sie zählen in allem, was oben steht. Mit ihnen und ohne sie:
 session-exclude = --exclude NAME lässt einen überall weg.
-session-differences = Unterschiede nach { $factor }{ $others ->
-    [yes] , alles andere gleich
-   *[no] {""}
-  }:
+session-differences = Unterschiede von Gruppen:
 session-more = und { $count } weitere (--details)
 session-tables = Tabellen: { $list }
 session-no-drop = keine Aufnahme enthält einen springenden Ball

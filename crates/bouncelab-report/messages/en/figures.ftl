@@ -108,7 +108,7 @@ figure-flight-times-unused = not used
 figure-flight-times-used = flights used
 
 figure-groups-title = Restitution of each group against speed
-figure-groups-caption = Each dot is an impact; the lines are the means over the drops of each group, with their 95 % intervals.
+figure-groups-caption = Each dot is an impact; each line is the curve of a group, with its 95 % interval.
 figure-groups-more = The first { $shown } of { $all } groups are shown.
 figure-groups-empty = There are no impacts with a known restitution.
 
@@ -129,7 +129,7 @@ figure-intervals-count = { $count ->
    *[other] { $count } drops
 }
 figure-intervals-drops = drops
-figure-intervals-mean = mean, 95 %
+figure-intervals-mean = restitution, 95 %
 figure-intervals-next = next drop, 95 %
 figure-intervals-outliers = outlier
 
@@ -173,9 +173,9 @@ figure-restitution-odd = outlier, less weight
 figure-restitution-raw = neglecting the air
 
 figure-run-title = Is there a drift?
-figure-run-caption = Each drop minus the median of its group, in order: a slope or a step means that ball, surface or air changed.
+figure-run-caption = Level of each drop, the median of its group taken off, in order: a slope or a step means that ball, surface or air changed.
 figure-run-empty = There are no drops to show.
-figure-run-off = restitution minus the median of the group
+figure-run-off = ln e less the median of the group
 figure-run-order = drop, in order
 figure-run-outlier = outlier
 figure-run-unchanged = if nothing changes

@@ -259,15 +259,15 @@ session-ball-assumed = Drag depends on the ball, which was not stated: state it 
 session-title = Session
 session-speed = Restitution at an impact speed of { $speed } m/s:
 session-legend =
-    ±: standard error of the mean; shared: uncertainty common to all drops (drag law, air, ball), which
-    more drops do not reduce; { $wanted ->
+    ±: standard uncertainty; shared: what of it all drops share (drag, air, ball, operators) and more drops do
+    not reduce; between drops: their scatter beyond their own errors; { $wanted ->
         [none] needed: drops in all that would halve the interval
-       *[other] needed: drops in all for a mean known to ± { $wanted } (95 %)
+       *[other] needed: drops in all for a restitution known to ± { $wanted } (95 %)
       }
-session-intervals = 95 % intervals of restitution:
-session-varies = Variance components (standard deviation of restitution):
-session-trends = How restitution changes, all else equal:
-session-laws = Restitution against impact speed, pooled over the drops that cover it:
+session-intervals = 95 % intervals, and the standard deviations of ISO 5725:
+session-scatters = Scatter beside that of the drops, relative:
+session-curves = Restitution against impact speed:
+session-drop-heights = Drop heights:
 session-outliers = Outliers in their group; are their metadata right?
 session-outlier = { $name }: { $off } { $side ->
     [above] above
@@ -275,10 +275,7 @@ session-outlier = { $name }: { $off } { $side ->
   } the others of { $group }, { $score } standard deviations
 session-outliers-count = They are included in all results above. With and without them:
 session-exclude = --exclude NAME excludes one from everything.
-session-differences = Differences by { $factor }{ $others ->
-    [yes] , all else equal
-   *[no] {""}
-  }:
+session-differences = Differences of groups:
 session-more = and { $count } more (--details)
 session-tables = Tables: { $list }
 session-no-drop = no recording holds a drop

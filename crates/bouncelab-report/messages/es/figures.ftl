@@ -106,7 +106,7 @@ figure-flight-times-unused = no usados
 figure-flight-times-used = vuelos usados
 
 figure-groups-title = Restitución de cada grupo según la velocidad
-figure-groups-caption = Cada punto es un impacto; las líneas son las medias de los ensayos de cada grupo, con sus intervalos del 95 %.
+figure-groups-caption = Cada punto es un impacto; cada línea es la curva de un grupo, con su intervalo del 95 %.
 figure-groups-more = Se muestran los primeros { $shown } de { $all } grupos.
 figure-groups-empty = No hay impactos de restitución conocida.
 
@@ -127,7 +127,7 @@ figure-intervals-count = { $count ->
    *[other] { $count } ensayos
 }
 figure-intervals-drops = ensayos
-figure-intervals-mean = media, 95 %
+figure-intervals-mean = restitución, 95 %
 figure-intervals-next = ensayo siguiente, 95 %
 figure-intervals-outliers = valor atípico
 
@@ -171,9 +171,9 @@ figure-restitution-odd = atípico, pesa menos
 figure-restitution-raw = sin contar el aire
 
 figure-run-title = ¿Hay una deriva?
-figure-run-caption = Cada ensayo menos la mediana de su grupo, en orden: una pendiente o un escalón indica que la pelota, la superficie o el aire cambió.
+figure-run-caption = Nivel de cada ensayo menos la mediana de su grupo, en orden: una pendiente o un escalón significa que cambió la pelota, la superficie o el aire.
 figure-run-empty = No hay ensayos que mostrar.
-figure-run-off = restitución menos la mediana del grupo
+figure-run-off = ln e menos la mediana del grupo
 figure-run-order = ensayo, en orden
 figure-run-outlier = valor atípico
 figure-run-unchanged = si nada cambia

@@ -258,15 +258,15 @@ session-ball-assumed = El arrastre depende de la pelota, que no se indicó: ind�
 session-title = Serie
 session-speed = Restitución a una velocidad de impacto de { $speed } m/s:
 session-legend =
-    ±: error típico de la media; común: incertidumbre común a todos los ensayos (ley de arrastre,
-    aire, pelota), que más ensayos no reducen; { $wanted ->
+    ±: incertidumbre típica; común: la parte que comparten todos los ensayos (arrastre, aire, pelota,
+    operadores) y que más ensayos no reducen; entre ensayos: dispersión más allá de sus propios errores; { $wanted ->
         [none] hacen falta: ensayos en total que reducirían el intervalo a la mitad
-       *[other] hacen falta: ensayos en total para una media conocida a ± { $wanted } (95 %)
+       *[other] hacen falta: ensayos en total para una restitución conocida a ± { $wanted } (95 %)
       }
-session-intervals = Intervalos del 95 % de la restitución:
-session-varies = Componentes de la varianza (desviación típica de la restitución):
-session-trends = Cómo cambia la restitución, con todo lo demás igual:
-session-laws = Restitución frente a la velocidad de impacto, con todos los ensayos que la cubren:
+session-intervals = Intervalos del 95 %, y las desviaciones típicas de ISO 5725:
+session-scatters = Dispersión además de la de los ensayos, relativa:
+session-curves = Restitución frente a la velocidad de impacto:
+session-drop-heights = Alturas de caída:
 session-outliers = Valores atípicos de su grupo; ¿son correctos sus metadatos?
 session-outlier = { $name }: { $off } { $side ->
     [above] por encima
@@ -274,10 +274,7 @@ session-outlier = { $name }: { $off } { $side ->
   } de los demás de { $group }, { $score } desviaciones típicas
 session-outliers-count = Están incluidos en todos los resultados anteriores. Con ellos y sin ellos:
 session-exclude = --exclude NAME excluye uno de todo.
-session-differences = Diferencias según { $factor }{ $others ->
-    [yes] , con todo lo demás igual
-   *[no] {""}
-  }:
+session-differences = Diferencias entre grupos:
 session-more = y { $count } más (--details)
 session-tables = Tablas: { $list }
 session-no-drop = ninguna grabación contiene un ensayo

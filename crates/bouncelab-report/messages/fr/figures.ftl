@@ -106,7 +106,7 @@ figure-flight-times-unused = non utilisés
 figure-flight-times-used = vols utilisés
 
 figure-groups-title = Restitution de chaque groupe selon la vitesse
-figure-groups-caption = Chaque point est un impact ; les lignes sont les moyennes des essais de chaque groupe, avec leurs intervalles à 95 %.
+figure-groups-caption = Chaque point est un impact ; chaque ligne est la courbe d’un groupe, avec son intervalle à 95 %.
 figure-groups-more = Les { $shown } premiers groupes sur { $all } sont montrés.
 figure-groups-empty = Aucun impact n’a une restitution connue.
 
@@ -127,7 +127,7 @@ figure-intervals-count = { $count ->
    *[other] { $count } essais
 }
 figure-intervals-drops = essais
-figure-intervals-mean = moyenne, 95 %
+figure-intervals-mean = restitution, 95 %
 figure-intervals-next = essai suivant, 95 %
 figure-intervals-outliers = valeur aberrante
 
@@ -171,9 +171,9 @@ figure-restitution-odd = aberrant, pèse moins
 figure-restitution-raw = air négligé
 
 figure-run-title = Y a-t-il une dérive ?
-figure-run-caption = Chaque essai moins la médiane de son groupe, dans l’ordre : une pente ou une marche indique que la balle, la surface ou l’air a changé.
+figure-run-caption = Niveau de chaque essai moins la médiane de son groupe, dans l’ordre : une pente ou une marche signifie que la balle, la surface ou l’air ont changé.
 figure-run-empty = Il n’y a pas d’essai à montrer.
-figure-run-off = restitution moins la médiane du groupe
+figure-run-off = ln e moins la médiane du groupe
 figure-run-order = essai, dans l’ordre
 figure-run-outlier = valeur aberrante
 figure-run-unchanged = si rien ne change

@@ -258,15 +258,15 @@ session-ball-assumed = La traînée dépend de la balle, qui n’a pas été ind
 session-title = Série
 session-speed = Restitution à une vitesse d’impact de { $speed } m/s :
 session-legend =
-    ± : erreur-type de la moyenne ; commune : incertitude commune à tous les essais (loi de traînée,
-    air, balle), que plus d’essais ne réduisent pas ; { $wanted ->
-        [none] requis : essais en tout qui réduiraient de moitié l’intervalle
-       *[other] requis : essais en tout pour une moyenne connue à ± { $wanted } (95 %)
+    ± : incertitude-type ; commune : la part que tous les essais partagent (traînée, air, balle, opérateurs)
+    et que plus d’essais ne réduisent pas ; entre essais : dispersion au-delà de leurs propres erreurs ; { $wanted ->
+        [none] requis : essais en tout qui réduiraient de moitié l’intervalle
+       *[other] requis : essais en tout pour une restitution connue à ± { $wanted } (95 %)
       }
-session-intervals = Intervalles à 95 % de la restitution :
-session-varies = Composantes de la variance (écart-type de la restitution) :
-session-trends = Comment la restitution change, toutes choses égales par ailleurs :
-session-laws = Restitution en fonction de la vitesse d’impact, pour l’ensemble des essais qui la couvrent :
+session-intervals = Intervalles à 95 %, et les écarts-types de l’ISO 5725 :
+session-scatters = Dispersion à côté de celle des essais, relative :
+session-curves = Restitution en fonction de la vitesse d’impact :
+session-drop-heights = Hauteurs de chute :
 session-outliers = Valeurs aberrantes de leur groupe ; leurs métadonnées sont-elles justes ?
 session-outlier = { $name } : { $off } { $side ->
     [above] au-dessus
@@ -274,10 +274,7 @@ session-outlier = { $name } : { $off } { $side ->
   } des autres de { $group }, { $score } écarts-types
 session-outliers-count = Elles sont comprises dans tous les résultats ci-dessus. Avec et sans elles :
 session-exclude = --exclude NAME en exclut une de tout.
-session-differences = Différences selon { $factor }{ $others ->
-    [yes] , toutes choses égales par ailleurs
-   *[no] {""}
-  } :
+session-differences = Différences entre groupes :
 session-more = et { $count } de plus (--details)
 session-tables = Tableaux : { $list }
 session-no-drop = aucun enregistrement ne contient d’essai

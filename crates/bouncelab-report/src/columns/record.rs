@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use bouncelab::analysis::{Drop, MeasuredFlight};
 use bouncelab::diagnostic::Code;
-use bouncelab::groups::RestitutionCurve;
+use bouncelab::groups::CurveEvidence;
 use bouncelab::inference::Posterior;
 use bouncelab::restitution::ImpactRestitution;
 use bouncelab::{Diagnostic, Estimate, Impact};
@@ -53,12 +53,12 @@ pub struct PosteriorRecord {
     pub round_speed_m_s: Option<f64>,
     /// Probabilities of 0, 1, 2, ... impacts before the first one detected.
     pub missed_first_impacts: Option<Vec<f64>>,
-    /// Restitution at speeds that all drops share; empty unless drops are compared.
-    pub curve: RestitutionCurve,
+    /// What it says of the restitution curve, if drops are compared.
+    pub evidence: Option<CurveEvidence>,
 }
 
 impl From<&Drop> for DropRecord {
-    /// Everything but the curve, which takes long.
+    /// Everything but the evidence, which takes long.
     fn from(drop: &Drop) -> Self {
         let posterior = drop.posterior.as_ref();
         let weight = |number: usize| posterior.ok()?.weight(number);
@@ -90,7 +90,7 @@ impl From<&Posterior> for PosteriorRecord {
             first_speed_m_s: posterior.first_speed_m_s,
             round_speed_m_s: posterior.round_speed_m_s,
             missed_first_impacts: posterior.missed_first_impacts.clone(),
-            curve: RestitutionCurve::default(),
+            evidence: None,
         }
     }
 }

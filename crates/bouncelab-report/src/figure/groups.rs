@@ -1,5 +1,7 @@
 //! Restitution against impact speed, coloured by group.
 
+use bouncelab::groups::CurvePoint;
+
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
 use crate::messages::Translator;
 use crate::theme::Meaning;
@@ -7,30 +9,19 @@ use crate::theme::Meaning;
 /// More groups cannot be distinguished by eye.
 const MAX_GROUPS: usize = 12;
 
-/// The mean restitution of a group at a speed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GroupPoint {
-    /// Impact speed, in m/s.
-    pub speed_m_s: f64,
-    /// Mean restitution.
-    pub value: f64,
-    /// The 95 % confidence interval of the mean, if it is known.
-    pub interval95: Option<[f64; 2]>,
-}
-
-/// A group of drops: its impacts, and its mean against speed.
+/// A group of drops: its impacts, and its restitution against speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroupCurve {
     /// Name, as in the legend.
     pub name: String,
     /// Impact speed in m/s and restitution of single impacts.
     pub impacts: Vec<Point>,
-    /// The mean at increasing speeds.
-    pub means: Vec<GroupPoint>,
+    /// Its restitution at increasing speeds.
+    pub curve: Vec<CurvePoint>,
 }
 
-/// Restitution against impact speed for several groups: single impacts as specks, the mean over the
-/// drops of a group as a line with its marks, and the 95 % interval of the mean around it.
+/// Restitution against impact speed for several groups: single impacts as specks, the curve of a group as a line
+/// with its marks, and its 95 % interval as a band.
 ///
 /// The first twelve groups are drawn.
 pub fn groups(groups: &[GroupCurve], translator: &Translator) -> Chart {
@@ -40,12 +31,15 @@ pub fn groups(groups: &[GroupCurve], translator: &Translator) -> Chart {
     let mut means = Vec::new();
     for (index, group) in shown.iter().enumerate() {
         let meaning = Meaning::Group(index);
-        let band = group.means.iter().filter_map(|point| {
-            let [low, high] = point.interval95?;
-            Some([point.speed_m_s, low, high])
+        let band = group.curve.iter().map(|point| {
+            let [low, high] = point.restitution.interval95;
+            [point.speed_m_s, low, high]
         });
         bands.push(Layer::band(meaning, band.collect()).pale(0.2));
-        let mean = group.means.iter().map(|p| [p.speed_m_s, p.value]);
+        let mean = group
+            .curve
+            .iter()
+            .map(|p| [p.speed_m_s, p.restitution.value]);
         let mean: Vec<Point> = mean.collect();
         let marker = Marker::of_group(index);
         means.push(Layer::line(meaning, mean.clone()));

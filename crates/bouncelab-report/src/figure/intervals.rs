@@ -1,5 +1,7 @@
 //! The mean of each group with its interval, over its drops.
 
+use bouncelab::Estimate;
+
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, row_middle, xs};
 use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
@@ -12,10 +14,8 @@ const ROW: f64 = 34.0;
 pub struct GroupInterval {
     /// Name in a few words.
     pub name: String,
-    /// The mean.
-    pub mean: f64,
-    /// Its 95 % confidence interval, if it is known.
-    pub interval95: Option<[f64; 2]>,
+    /// Its restitution.
+    pub restitution: Estimate,
     /// The 95 % prediction interval of the next drop, if it is known.
     pub next95: Option<[f64; 2]>,
     /// The values of the drops, and whether each is an outlier.
@@ -26,7 +26,10 @@ pub struct GroupInterval {
 /// the next drop is expected as a pale bar, the interval of the mean as a strong one, the mean as a dot.
 pub fn intervals(groups: &[GroupInterval], at_speed_m_s: f64, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-intervals-{id}"));
-    let usable: Vec<&GroupInterval> = groups.iter().filter(|g| g.mean.is_finite()).collect();
+    let usable: Vec<&GroupInterval> = groups
+        .iter()
+        .filter(|group| group.restitution.value.is_finite())
+        .collect();
     let rows = usable.len();
     if rows == 0 {
         return Chart::empty(translator, "intervals");
@@ -38,9 +41,8 @@ pub fn intervals(groups: &[GroupInterval], at_speed_m_s: f64, translator: &Trans
         if let Some([low, high]) = group.next95 {
             next.push([low, high, middle - 0.3, middle + 0.3]);
         }
-        if let Some([low, high]) = group.interval95 {
-            interval.extend([[low, middle], [high, middle], [f64::NAN; 2]]);
-        }
+        let [low, high] = group.restitution.interval95;
+        interval.extend([[low, middle], [high, middle], [f64::NAN; 2]]);
         for (index, &(value, is_outlier)) in group.drops.iter().enumerate() {
             // Spread over the row, so that equal values are seen.
             let point: Point = [value, middle + 0.26 * spread(index)];
@@ -50,7 +52,7 @@ pub fn intervals(groups: &[GroupInterval], at_speed_m_s: f64, translator: &Trans
                 drops.push(point);
             }
         }
-        means.push([group.mean, middle]);
+        means.push([group.restitution.value, middle]);
     }
     let interval = Layer::line(Meaning::Measured, interval).with_width(7.0);
     let mut layers = vec![

@@ -46,7 +46,7 @@ pub use detection::{Detection, detection};
 pub use drag::{DragAxes, drag, drag_of_settings};
 pub use drops::{DropSummary, drop_impacts, drops};
 pub use flight_times::{Line, TimedFlight, flight_times};
-pub use groups::{GroupCurve, GroupPoint, groups};
+pub use groups::{GroupCurve, groups};
 pub use height::height;
 pub use intervals::{GroupInterval, intervals};
 pub use limits::{EvaluatedValue, limits, verdict};

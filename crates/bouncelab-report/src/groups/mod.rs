@@ -6,7 +6,8 @@
 //! ```
 //! use std::collections::BTreeMap;
 //!
-//! use bouncelab::groups::{CurvePoint, RestitutionCurve};
+//! use bouncelab::groups::CurveEvidence;
+//! use bouncelab::inference::Measured;
 //! use bouncelab_report::groups::{About, GroupStudy, NotedDrop, Question, tables};
 //! use bouncelab_report::messages::Translator;
 //!
@@ -16,9 +17,7 @@
 //! let drops = [(0, 0.82), (0, 0.84), (1, 0.73), (1, 0.74)].map(|(of, value)| NotedDrop {
 //!     name: format!("e = {value}").into(),
 //!     factors: &noted[of],
-//!     height_m: None,
-//!     temperature_k: None,
-//!     curve: RestitutionCurve(vec![CurvePoint { speed_m_s: 1.0, value, own_sd: 0.002, shared_sd: 0.001 }]),
+//!     evidence: CurveEvidence::measured(&[(1.0, Measured { value, sd: 0.002 })]),
 //!     scatter: None,
 //! });
 //! let translator = Translator::english();

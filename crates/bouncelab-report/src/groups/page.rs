@@ -5,8 +5,12 @@ use bouncelab::groups::Study;
 use super::study::{About, GroupStudy, Reason};
 use super::tables;
 use crate::chart::Chart;
-use crate::messages::{Translator, Value};
+use crate::messages::Translator;
 use crate::report::{Block, Language, Page, Provenance, Section, ended, made_by};
+use crate::table::Table;
+
+/// A longer list of heights is of no use on paper: the table of drops has it.
+const MAX_HEIGHTS: usize = 60;
 
 /// The page of many drops: the groups in sentences, tables and figures, problems of recordings, what was
 /// assumed, the method, and how to repeat it. The charts are its [`figures`](super::figures()).
@@ -48,10 +52,11 @@ fn lead(groups: &GroupStudy, translator: &Translator) -> Vec<Block> {
     )))];
     match &groups.study {
         Ok(study) => {
-            let speed = [("speed", Value::fixed(study.at_speed_m_s, 2))];
-            lead.push(Block::text(
-                translator.text_with("session-compared", &speed),
-            ));
+            lead.extend(
+                tables::sentences(groups, study, translator)
+                    .into_iter()
+                    .map(Block::text),
+            );
             if !study.outliers.is_empty() {
                 let names: Vec<&str> = study
                     .outliers
@@ -75,7 +80,7 @@ fn lead(groups: &GroupStudy, translator: &Translator) -> Vec<Block> {
 
 /// What few drops, or drops of a single group, leave undetermined.
 fn untold(study: &Study) -> Option<&'static str> {
-    match (study.all.drops.len(), study.groups.len()) {
+    match (study.drops.iter().flatten().count(), study.groups.len()) {
         (1, _) => Some("session-one-drop"),
         (_, 1) => Some("session-one-group"),
         _ => None,
@@ -94,68 +99,62 @@ fn of_study(
         Some(Block::figure(*name, chart.clone()))
     };
     let (laws, intervals, run) = (figure(), figure(), figure());
-    let with = |mut blocks: Vec<Block>, figure: Option<Block>| {
-        blocks.extend(figure);
-        blocks
+    let tabled = |id: &str, table: Table| {
+        (!table.is_empty()).then(|| Block::table(translator.text(id), table))
     };
-    let varies = if study.varies.len() > 1 {
-        vec![Block::table(
-            translator.text("session-varies-table"),
-            tables::varies_table(groups, study, translator),
-        )]
-    } else {
-        Vec::new()
+    let section = |id: &str, blocks: Vec<Option<Block>>| {
+        Section::new(translator.text(id), blocks.into_iter().flatten().collect())
     };
-    let of_groups = group_tables(groups, study, translator);
-    let section = |id: &str, blocks| Section::new(translator.text(id), blocks);
+    let heights = tables::height_table(groups, study, translator);
+    let zero = tables::ruler_zero(study, translator).map(Block::text);
+    let groups_table = tables::group_table(groups, study, None, translator);
     vec![
-        section("session-groups", with(of_groups, intervals)),
-        section("session-against-speed", with(Vec::new(), laws)),
-        section("session-what-varies", varies),
+        section(
+            "session-groups",
+            vec![
+                tabled("session-groups-table", groups_table),
+                tabled(
+                    "session-intervals-table",
+                    tables::interval_table(groups, study, translator),
+                ),
+                tabled(
+                    "session-without-table",
+                    tables::without_table(groups, study, translator),
+                ),
+                tabled(
+                    "session-scatter-table",
+                    tables::scatter_table(groups, study, translator),
+                ),
+                intervals,
+            ],
+        ),
+        section(
+            "session-against-speed",
+            vec![
+                laws,
+                tabled(
+                    "session-curve-table",
+                    tables::curve_table(groups, study, translator),
+                ),
+            ],
+        ),
         section(
             "session-differences-heading",
-            differences(groups, study, translator),
+            vec![tabled(
+                "session-differences-table",
+                tables::difference_table(groups, study, translator),
+            )],
         ),
-        section("session-in-order", with(Vec::new(), run)),
+        section(
+            "session-heights",
+            vec![
+                zero,
+                tabled("session-heights-table", heights)
+                    .filter(|_| study.drops.len() <= MAX_HEIGHTS),
+            ],
+        ),
+        section("session-in-order", vec![run]),
     ]
-}
-
-/// The groups, their intervals, and the groups with outliers with and without them.
-fn group_tables(groups: &GroupStudy, study: &Study, translator: &Translator) -> Vec<Block> {
-    let mut blocks = vec![
-        Block::table(
-            translator.text("session-groups-table"),
-            tables::group_table(groups, study, None, translator),
-        ),
-        Block::table(
-            translator.text("session-intervals-table"),
-            tables::interval_table(groups, study, translator),
-        ),
-    ];
-    let without = tables::without_table(groups, study, translator);
-    if !without.is_empty() {
-        blocks.push(Block::table(
-            translator.text("session-without-table"),
-            without,
-        ));
-    }
-    blocks
-}
-
-/// The differences between the levels of each factor, and the trends.
-fn differences(groups: &GroupStudy, study: &Study, translator: &Translator) -> Vec<Block> {
-    let factors = study.differences.iter();
-    let factors = factors.filter(|(_, differences)| !differences.is_empty());
-    let tables_of_factors = factors.map(|(factor, differences)| {
-        let name = groups.factors[*factor].name.as_str();
-        let table = tables::difference_table(groups, *factor, differences, translator);
-        let caption = translator.text_with("session-differences-table", &[("factor", name.into())]);
-        Block::table(caption, table)
-    });
-    let trends = tables::trend_table(groups, study, translator);
-    let trends =
-        (!trends.is_empty()).then(|| Block::table(translator.text("session-trends-table"), trends));
-    tables_of_factors.chain(trends).collect()
 }
 
 fn troubles(about: &About, translator: &Translator) -> Section {
@@ -213,7 +212,7 @@ fn method(translator: &Translator) -> Section {
     let ids = [
         "session-method-drop",
         "session-method-group",
-        "session-method-factors",
+        "session-method-scatter",
     ];
     Section::new(
         translator.text("session-method"),

@@ -4,17 +4,30 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use bouncelab::groups::{Covariate, Factor, RestitutionCurve, Study, StudyDrop};
-use bouncelab::inference::Measured;
+use bouncelab::groups::{Asked, CurveEvidence, Factor, MAX_RANDOM, Study, StudyDrop};
 use serde::Serialize;
 
-use crate::messages::{Translator, Value};
+use crate::messages::Translator;
 
 /// Factors in this order; all others follow in that of their names.
-const FIRST: [&str; 5] = ["ball", "surface", "operator", "height", "temperature"];
+const FIRST: [&str; 7] = [
+    "ball",
+    "surface",
+    "operator",
+    "student",
+    "place",
+    "height",
+    "temperature",
+];
 
-/// Drops are compared by these, but not grouped: the more of them, the smaller the groups.
-const NOT_GROUPED: [&str; 3] = ["operator", "height", "temperature"];
+/// Drops are not grouped by these: the more of them, the smaller the groups.
+const NOT_GROUPED: [&str; 5] = ["operator", "student", "place", "height", "temperature"];
+
+/// The factors whose levels scatter about their group if they make none.
+const SCATTERING: [&str; 5] = ["operator", "student", "place", "ball", "surface"];
+
+/// A factor of more levels is no scatter of operators: each level adds an unknown.
+const MAX_LEVELS: usize = 100;
 
 /// A drop with what was noted of it, and what it adds to a study.
 #[derive(Debug, Clone)]
@@ -23,25 +36,21 @@ pub struct NotedDrop<'a> {
     pub name: Arc<str>,
     /// What it is compared by: "surface", "steel".
     pub factors: &'a BTreeMap<String, String>,
-    /// The drop height as noted, m.
-    pub height_m: Option<f64>,
-    /// The temperature as noted, K.
-    pub temperature_k: Option<f64>,
-    /// Its restitution, at speeds that all drops share.
-    pub curve: RestitutionCurve,
+    /// What it says of the restitution curve.
+    pub evidence: CurveEvidence,
     /// Scatter of ln e from impact to impact, above zero.
-    pub scatter: Option<Measured>,
+    pub scatter: Option<f64>,
 }
 
 /// What to ask of drops.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Question {
-    /// The fields that make groups; if empty, ball, surface and whatever else was noted, but for
-    /// operator, height and temperature.
-    pub by: Vec<String>,
-    /// The impact speed at which drops are compared, m/s; if left out, one that most drops know.
+    /// The fields that make groups, none for a single group; if left out, ball, surface and whatever else was noted, but
+    /// for operator, place, height and temperature.
+    pub by: Option<Vec<String>>,
+    /// The impact speed at which groups are compared, m/s; if left out, a round one that they have in common.
     pub at_speed_m_s: Option<f64>,
-    /// The half width of the 95 % interval that a mean should have; if left out, half of what it has.
+    /// The half width of the 95 % interval that the restitution should have; if left out, half of what it has.
     pub wanted: Option<f64>,
 }
 
@@ -103,7 +112,6 @@ pub struct GroupStudy {
     /// The study, or why there is none.
     pub study: Result<Study, String>,
     names: Vec<Arc<str>>,
-    curves: Vec<StudyDrop>,
 }
 
 impl GroupStudy {
@@ -118,27 +126,25 @@ impl GroupStudy {
         translator: &Translator,
     ) -> Result<Self, UnknownField> {
         let factors = factors(&drops);
-        let by = by(&factors, &question.by)?;
-        let covariates = covariates(&factors, &drops);
+        let by = by(&factors, question.by.as_deref())?;
         let with_levels = |drop: NotedDrop<'_>| {
             let added = StudyDrop {
                 levels: levels(&factors, drop.factors),
-                curve: drop.curve,
+                evidence: drop.evidence,
                 scatter: drop.scatter,
             };
             (drop.name, added)
         };
-        let (names, curves): (Vec<_>, Vec<_>) = drops.into_iter().map(with_levels).unzip();
-        let study = Study::of(
-            &curves,
-            &factors,
-            &covariates,
-            &by,
-            question.at_speed_m_s,
-            question.wanted,
-        );
-        let study = study.map_err(|refusal| match question.at_speed_m_s {
-            _ if curves.is_empty() => translator.text("session-no-inference"),
+        let (names, drops): (Vec<_>, Vec<_>) = drops.into_iter().map(with_levels).unzip();
+        let asked = Asked {
+            random: scattering(&factors, &by, drops.len()),
+            ball: factors.iter().position(|factor| factor.name == "ball"),
+            by: by.clone(),
+            at_speed_m_s: question.at_speed_m_s,
+            wanted: question.wanted,
+        };
+        let study = Study::of(&drops, &asked).map_err(|refusal| match question.at_speed_m_s {
+            _ if drops.is_empty() => translator.text("session-no-inference"),
             Some(speed) => translator.text_with("session-no-speed", &[("speed", speed.into())]),
             None => translator.diagnostic(&refusal.diagnostic()),
         });
@@ -148,42 +154,25 @@ impl GroupStudy {
             by,
             study,
             names,
-            curves,
         };
         groups.about.no_study = groups.study.as_ref().err().cloned();
-        let unknown = groups.unknown_there(translator);
-        groups.about.left_out.extend(unknown);
         Ok(groups)
-    }
-
-    /// The drops that are not compared because they do not know the speed at which the others are.
-    fn unknown_there(&self, translator: &Translator) -> Vec<Reason> {
-        let Ok(study) = &self.study else {
-            return Vec::new();
-        };
-        let speed = [("speed", Value::fixed(study.at_speed_m_s, 2))];
-        let reason = translator.text_with("session-unknown-there", &speed);
-        let left_out = study.left_out.iter();
-        left_out
-            .map(|&drop| Reason {
-                name: self.name_of(drop).to_owned(),
-                reason: reason.clone(),
-            })
-            .collect()
-    }
-
-    /// Restitution of a drop, by its index, at a speed, with the uncertainty that is its own.
-    pub fn at(&self, drop: usize, speed_m_s: f64) -> Option<Measured> {
-        let point = self.curves[drop].curve.at(speed_m_s)?;
-        Some(Measured {
-            value: point.value,
-            sd: point.own_sd,
-        })
     }
 
     /// The name of a drop, by its index.
     pub fn name_of(&self, drop: usize) -> &str {
         &self.names[drop]
+    }
+
+    /// What a factor is called: in the language of the reader, if it is a usual one.
+    pub fn factor_name(&self, factor: usize, translator: &Translator) -> String {
+        let name = self.factors[factor].name.as_str();
+        match name {
+            "ball" | "surface" | "operator" | "student" | "place" => {
+                translator.text(&format!("factor-{name}"))
+            }
+            _ => name.to_owned(),
+        }
     }
 
     /// What a group is called: its levels.
@@ -225,26 +214,17 @@ fn factors(drops: &[NotedDrop<'_>]) -> Vec<Factor> {
     factors
 }
 
-/// The factors that are noted in numbers, in SI.
-fn covariates(factors: &[Factor], drops: &[NotedDrop<'_>]) -> Vec<Covariate> {
-    type Amount = fn(&NotedDrop<'_>) -> Option<f64>;
-    let height: Amount = |drop| drop.height_m;
-    let temperature: Amount = |drop| drop.temperature_k;
-    let of_factor = |(name, amount): (&str, Amount)| {
-        let factor = factors.iter().position(|factor| factor.name == name)?;
-        let by_level: BTreeMap<&str, f64> = drops
-            .iter()
-            .filter_map(|drop| Some((drop.factors.get(name)?.as_str(), amount(drop)?)))
-            .collect();
-        let levels = factors[factor].levels.iter();
-        let of_levels = levels.map(|level| by_level.get(level.as_str()).copied());
-        Some(Covariate {
-            factor,
-            of_levels: of_levels.collect::<Option<_>>()?,
-        })
+/// The factors whose levels scatter about the groups, the first of [`SCATTERING`].
+fn scattering(factors: &[Factor], by: &[usize], drops: usize) -> Vec<usize> {
+    let scatters = |&factor: &usize| {
+        let levels = factors[factor].levels.len();
+        // What every drop has of its own is no other than the scatter of drops.
+        !by.contains(&factor) && (2..=MAX_LEVELS).contains(&levels) && 2 * levels <= drops
     };
-    let noted = [("height", height), ("temperature", temperature)];
-    noted.into_iter().filter_map(of_factor).collect()
+    let named = SCATTERING
+        .iter()
+        .filter_map(|name| factors.iter().position(|factor| factor.name == *name));
+    named.filter(scatters).take(MAX_RANDOM).collect()
 }
 
 /// By the number with which they begin, then those without one; or as text.
@@ -264,15 +244,15 @@ fn in_order(a: &str, b: &str) -> Ordering {
 }
 
 /// The factors that make groups.
-fn by(factors: &[Factor], wanted: &[String]) -> Result<Vec<usize>, UnknownField> {
+fn by(factors: &[Factor], wanted: Option<&[String]>) -> Result<Vec<usize>, UnknownField> {
     let makes_groups =
         |factor: &Factor| factor.levels.len() > 1 && !NOT_GROUPED.contains(&factor.name.as_str());
-    if wanted.is_empty() {
+    let Some(wanted) = wanted else {
         let indices = 0..factors.len();
         return Ok(indices
             .filter(|&index| makes_groups(&factors[index]))
             .collect());
-    }
+    };
     let place_of = |name: &String| {
         let index = factors.iter().position(|factor| factor.name == *name);
         index.ok_or_else(|| UnknownField {

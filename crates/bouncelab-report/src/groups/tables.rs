@@ -1,9 +1,10 @@
 //! The study of many drops as tables.
 
-use bouncelab::groups::{Difference, Group, Mean, MeanAtSpeed, Study};
+use bouncelab::Estimate;
+use bouncelab::groups::{Compared, Group, Study};
 
 use super::study::{About, GroupStudy};
-use crate::messages::{Translator, Value};
+use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
 use crate::table::{Align, Table};
 
@@ -19,39 +20,59 @@ pub fn counts(about: &About, translator: &Translator) -> String {
     translator.text_with("session-counts", &counts)
 }
 
-/// Differences of the levels of a factor.
-pub fn difference_table(
-    groups: &GroupStudy,
-    factor: usize,
-    differences: &[Difference],
-    translator: &Translator,
-) -> Table {
-    let factor = &groups.factors[factor];
-    let mut table = Table::with_headings(
-        translator,
-        [
-            ("", Align::Left),
-            ("session-column-difference", Align::Right),
-            ("session-column-interval", Align::Right),
-            ("session-column-p-holm", Align::Right),
-        ],
-    );
-    for difference in differences {
-        let shown = Quantity::measured(difference.value.value, difference.value.sd, Unit::Number);
-        table.row([
-            format!(
-                "{} \u{2212} {}",
-                factor.levels[difference.of], factor.levels[difference.less]
+/// The answer in sentences: the restitution of each group, and the difference of two.
+pub fn sentences(groups: &GroupStudy, study: &Study, translator: &Translator) -> Vec<String> {
+    let of_group = |group: &Group| {
+        let restitution = group.restitution?;
+        let shown = Quantity::of(&restitution, Unit::Number);
+        let arguments = [
+            ("group", name(groups, group, translator).into()),
+            ("drops", group.count.into()),
+            ("value", shown.text(translator).into()),
+            (
+                "interval",
+                shown
+                    .interval_text(restitution.interval95, translator)
+                    .into(),
             ),
-            shown.text(translator),
-            shown.interval_text(difference.interval95, translator),
-            probability(difference.p_value, translator),
-        ]);
+            (
+                "speed",
+                Quantity::rounded(study.at_speed_m_s, 2, Unit::Speed)
+                    .text(translator)
+                    .into(),
+            ),
+            ("scatter", percent(&group.between_drops, translator).into()),
+        ];
+        Some(translator.text_with("session-in-words", &arguments))
+    };
+    let mut sentences: Vec<String> = study.groups.iter().filter_map(of_group).collect();
+    if let [difference] = study.differences.as_slice()
+        && let Some(compared) = difference.at_speed
+    {
+        let shown = Quantity::of(&compared.difference, Unit::Number);
+        let [of, less] = [difference.of, difference.less]
+            .map(|group| name(groups, &study.groups[group], translator));
+        let arguments = [
+            ("of", of.into()),
+            ("less", less.into()),
+            ("value", shown.text(translator).into()),
+            (
+                "interval",
+                shown
+                    .interval_text(compared.difference.interval95, translator)
+                    .into(),
+            ),
+            (
+                "probability",
+                probability(compared.above_zero, translator).into(),
+            ),
+        ];
+        sentences.push(translator.text_with("session-difference-in-words", &arguments));
     }
-    table
+    sentences
 }
 
-/// The groups, and all of them together.
+/// The groups.
 pub fn group_table(
     groups: &GroupStudy,
     study: &Study,
@@ -70,22 +91,110 @@ pub fn group_table(
             ("session-column-needed", Align::Right),
         ],
     );
-    for (name, group) in named_groups(groups, study, translator) {
-        let mean = &group.mean;
+    for group in &study.groups {
+        let number = |number: f64, unit: Unit| Quantity::rounded(number, 2, unit).text(translator);
         table.row([
-            name,
-            mean.drops.to_string(),
-            shown(group).text(translator),
-            format!(
-                "\u{b1} {}",
-                Quantity::rounded(group.shared_sd, 1, Unit::Number).text(translator)
-            ),
-            mean.between
-                .map_or_else(String::new, |between| translator.fixed(between, 4)),
-            group.between_impacts.map_or_else(String::new, |scatter| {
-                format!("{} %", translator.fixed(100.0 * scatter, 2))
+            name(groups, group, translator),
+            group.count.to_string(),
+            shown(group).map_or_else(String::new, |shown| shown.text(translator)),
+            group.shared_sd.map_or_else(String::new, |sd| {
+                format!(
+                    "\u{b1} {}",
+                    Quantity::rounded(sd, 1, Unit::Number).text(translator)
+                )
             }),
-            needed(group, wanted, translator),
+            percent(&group.between_drops, translator),
+            group
+                .between_impacts
+                .map_or_else(String::new, |scatter| number(scatter, Unit::Percent)),
+            match group.drops_needed {
+                Some(needed) => needed.to_string(),
+                None if wanted.is_some() && group.restitution.is_some() => {
+                    translator.text("session-too-many")
+                }
+                None => String::new(),
+            },
+        ]);
+    }
+    table
+}
+
+/// 95 % intervals of the groups, and the numbers of ISO 5725.
+pub fn interval_table(groups: &GroupStudy, study: &Study, translator: &Translator) -> Table {
+    let mut table = Table::with_headings(
+        translator,
+        [
+            ("session-column-group", Align::Left),
+            ("session-column-mean", Align::Right),
+            ("session-column-next", Align::Right),
+            ("session-column-between-drops", Align::Right),
+            ("session-column-repeatability", Align::Right),
+            ("session-column-reproducibility", Align::Right),
+        ],
+    );
+    for group in &study.groups {
+        let interval = |ends: Option<[f64; 2]>| {
+            shown(group)
+                .zip(ends)
+                .map_or_else(String::new, |(shown, ends)| {
+                    shown.interval_text(ends, translator)
+                })
+        };
+        let sd = |sd: Option<f64>| {
+            sd.map_or_else(String::new, |sd| {
+                Quantity::rounded(sd, 2, Unit::Number).text(translator)
+            })
+        };
+        table.row([
+            name(groups, group, translator),
+            interval(group.restitution.map(|it| it.interval95)),
+            interval(group.next95),
+            percent_interval(&group.between_drops, translator),
+            sd(group.repeatability_sd.map(|it| it.value)),
+            sd(group.reproducibility_sd),
+        ]);
+    }
+    table
+}
+
+/// Differences of groups.
+pub fn difference_table(groups: &GroupStudy, study: &Study, translator: &Translator) -> Table {
+    let mut table = Table::with_headings(
+        translator,
+        [
+            ("session-column-group", Align::Left),
+            ("session-column-difference", Align::Right),
+            ("session-column-interval", Align::Right),
+            ("session-column-above", Align::Right),
+            ("session-column-over", Align::Right),
+            ("session-column-interval", Align::Right),
+        ],
+    );
+    for difference in &study.differences {
+        let pair = [difference.of, difference.less]
+            .map(|group| name(groups, &study.groups[group], translator));
+        let shown = |compared: Option<Compared>| {
+            let difference = compared.map(|compared| compared.difference);
+            difference.map_or_else(Default::default, |difference| {
+                let shown = Quantity::of(&difference, Unit::Number);
+                [
+                    shown.text(translator),
+                    shown.interval_text(difference.interval95, translator),
+                ]
+            })
+        };
+        let ([value, interval], [over, over_interval]) =
+            (shown(difference.at_speed), shown(difference.over_range));
+        let above = difference.at_speed.or(difference.over_range);
+        table.row([
+            pair.join(" \u{2212} "),
+            value,
+            interval,
+            above.map_or_else(String::new, |compared| {
+                probability(compared.above_zero, translator)
+            }),
+            over,
+            over_interval,
         ]);
     }
     table
@@ -98,147 +207,48 @@ pub fn without_table(groups: &GroupStudy, study: &Study, translator: &Translator
         [
             ("session-column-group", Align::Left),
             ("session-column-with", Align::Right),
-            ("session-column-drops", Align::Right),
             ("session-column-without", Align::Right),
-            ("session-column-drops", Align::Right),
         ],
     );
-    for (name, group) in named_groups(groups, study, translator) {
-        if let Some(without) = &group.without_outliers {
+    for group in &study.groups {
+        if let (Some(with), Some(without)) = (shown(group), group.without_outliers) {
             table.row([
-                name,
-                restitution(&group.mean).text(translator),
-                group.mean.drops.to_string(),
-                restitution(without).text(translator),
-                without.drops.to_string(),
+                name(groups, group, translator),
+                with.text(translator),
+                Quantity::of(&without, Unit::Number).text(translator),
             ]);
         }
-    }
-    table
-}
-
-/// Slopes against what is noted in numbers.
-pub fn trend_table(groups: &GroupStudy, study: &Study, translator: &Translator) -> Table {
-    let mut table = Table::with_headings(
-        translator,
-        [
-            ("session-column-factor", Align::Left),
-            ("session-column-levels", Align::Right),
-            ("session-column-slope", Align::Right),
-            ("", Align::Left),
-            ("session-column-interval", Align::Right),
-            ("session-column-p", Align::Right),
-        ],
-    );
-    for trend in &study.trends {
-        let name = groups.factors[trend.factor].name.as_str();
-        let unit = match name {
-            "height" => translator.text("session-per-metre"),
-            "temperature" => translator.text("session-per-kelvin"),
-            _ => String::new(),
-        };
-        let shown = Quantity::measured(trend.slope.value, trend.slope.sd, Unit::Number);
-        table.row([
-            name.to_owned(),
-            trend.levels.to_string(),
-            shown.text(translator),
-            unit,
-            shown.interval_text(trend.interval95, translator),
-            probability(trend.p_value, translator),
-        ]);
     }
     table
 }
 
 /// Restitution of each group at several speeds.
-pub fn law_table(groups: &GroupStudy, study: &Study, translator: &Translator) -> Table {
+pub fn curve_table(groups: &GroupStudy, study: &Study, translator: &Translator) -> Table {
     let mut table = Table::with_headings(
         translator,
         [
             ("session-column-group", Align::Left),
             ("column-speed", Align::Right),
-            ("session-column-drops", Align::Right),
             ("quantity-restitution", Align::Right),
             ("session-column-interval", Align::Right),
         ],
     );
     for group in &study.groups {
-        for MeanAtSpeed { speed_m_s, mean } in &group.curve {
-            let shown = restitution(mean);
-            let interval = |ends| shown.interval_text(ends, translator);
+        for point in &group.curve {
+            let shown = Quantity::of(&point.restitution, Unit::Number);
             table.row([
-                groups.group_name(&group.levels, translator),
-                translator.fixed(*speed_m_s, 3),
-                mean.drops.to_string(),
+                name(groups, group, translator),
+                translator.fixed(point.speed_m_s, 3),
                 shown.text(translator),
-                mean.interval95.map_or_else(String::new, interval),
+                shown.interval_text(point.restitution.interval95, translator),
             ]);
         }
     }
     table
 }
 
-/// 95 % intervals of the groups.
-pub fn interval_table(groups: &GroupStudy, study: &Study, translator: &Translator) -> Table {
-    let mut table = Table::with_headings(
-        translator,
-        [
-            ("session-column-group", Align::Left),
-            ("session-column-mean", Align::Right),
-            ("session-column-next", Align::Right),
-            ("session-column-between-drops", Align::Right),
-        ],
-    );
-    for (name, group) in named_groups(groups, study, translator) {
-        let interval = |ends: Option<[f64; 2]>| {
-            ends.map_or_else(String::new, |ends| {
-                shown(group).interval_text(ends, translator)
-            })
-        };
-        let mean = &group.mean;
-        table.row([
-            name,
-            interval(mean.interval95),
-            interval(mean.next95),
-            mean.between95
-                .map_or_else(String::new, |interval| ends(interval, translator)),
-        ]);
-    }
-    table
-}
-
-/// The groups with their names, and all drops as one where there are several.
-fn named_groups<'a>(
-    groups: &GroupStudy,
-    study: &'a Study,
-    translator: &Translator,
-) -> Vec<(String, &'a Group)> {
-    let named = |group: &'a Group| (groups.group_name(&group.levels, translator), group);
-    let mut all: Vec<_> = study.groups.iter().map(named).collect();
-    if all.len() > 1 {
-        all.push((translator.text("session-all"), &study.all));
-    }
-    all
-}
-
-fn shown(group: &Group) -> Quantity {
-    restitution(&group.mean)
-}
-
-fn restitution(mean: &Mean) -> Quantity {
-    Quantity::measured(mean.value, mean.standard_error, Unit::Number)
-}
-
-fn needed(group: &Group, wanted: Option<f64>, translator: &Translator) -> String {
-    match (group.drops_needed, wanted) {
-        (Some(needed), _) => needed.to_string(),
-        (None, Some(_)) if group.mean.between.is_some() => translator.text("session-too-many"),
-        (None, _) => String::new(),
-    }
-}
-
-/// Who varies.
-pub fn varies_table(groups: &GroupStudy, study: &Study, translator: &Translator) -> Table {
+/// The scatter of the levels of each factor that makes no groups.
+pub fn scatter_table(groups: &GroupStudy, study: &Study, translator: &Translator) -> Table {
     let mut table = Table::with_headings(
         translator,
         [
@@ -248,47 +258,80 @@ pub fn varies_table(groups: &GroupStudy, study: &Study, translator: &Translator)
             ("session-column-interval", Align::Right),
         ],
     );
-    for varies in &study.varies {
-        let names: Vec<&str> = varies
-            .factors
-            .iter()
-            .map(|&factor| groups.factors[factor].name.as_str())
-            .collect();
-        let name = match names.as_slice() {
-            [] => translator.text("session-drop"),
-            [name] => (*name).to_owned(),
-            [first @ .., last] => {
-                let (first, last) = (first.join(", "), *last);
-                let names = [("first", first.into()), ("last", last.into())];
-                let names = [("names", translator.text_with("list-and", &names).into())];
-                translator.text_with("session-together", &names)
-            }
-        };
+    for (factor, scatter) in &study.scatters {
         table.row([
-            name,
-            varies.levels.to_string(),
-            translator.fixed(varies.component.sd, 4),
-            match varies.component.sd95 {
-                Some(interval) => ends(interval, translator),
-                None => translator.text("session-too-few"),
-            },
+            groups.factor_name(*factor, translator),
+            groups.factors[*factor].levels.len().to_string(),
+            percent(scatter, translator),
+            percent_interval(scatter, translator),
         ]);
     }
     table
 }
 
-fn probability(p: f64, translator: &Translator) -> String {
-    if p < 1e-4 {
-        format!("< {}", translator.fixed(1e-4, 4))
-    } else {
-        translator.fixed(p, 4)
+/// The drop heights.
+pub fn height_table(groups: &GroupStudy, study: &Study, translator: &Translator) -> Table {
+    let mut table = Table::with_headings(
+        translator,
+        [
+            ("session-column-drop", Align::Left),
+            ("quantity-drop-height", Align::Right),
+            ("session-column-interval", Align::Right),
+        ],
+    );
+    for (drop, fitted) in study.drops.iter().enumerate() {
+        if let Some(height_m) = fitted.and_then(|fitted| fitted.height_m) {
+            let shown = Quantity::of(&height_m, Unit::Length);
+            table.row([
+                groups.name_of(drop).to_owned(),
+                shown.text(translator),
+                shown.interval_text(height_m.interval95, translator),
+            ]);
+        }
     }
+    table
 }
 
-fn ends([low, high]: [f64; 2], translator: &Translator) -> String {
-    let ends = [
-        ("low", Value::fixed(low, 4)),
-        ("high", Value::fixed(high, 4)),
+/// The zero of the ruler, as a sentence.
+pub fn ruler_zero(study: &Study, translator: &Translator) -> Option<String> {
+    let zero = study.ruler_zero_m?;
+    let shown = Quantity::of(&zero, Unit::Length);
+    let arguments = [
+        ("value", shown.text(translator).into()),
+        (
+            "interval",
+            shown.interval_text(zero.interval95, translator).into(),
+        ),
     ];
-    translator.text_with("interval-ends", &ends)
+    Some(translator.text_with("session-ruler", &arguments))
+}
+
+fn name(groups: &GroupStudy, group: &Group, translator: &Translator) -> String {
+    groups.group_name(&group.levels, translator)
+}
+
+fn shown(group: &Group) -> Option<Quantity> {
+    group
+        .restitution
+        .map(|restitution| Quantity::of(&restitution, Unit::Number))
+}
+
+fn percent(scatter: &Estimate, translator: &Translator) -> String {
+    Quantity::rounded(scatter.value, 2, Unit::Percent).text(translator)
+}
+
+fn percent_interval(scatter: &Estimate, translator: &Translator) -> String {
+    let shown = Quantity::measured(scatter.value, scatter.sd, Unit::Percent);
+    shown.interval_text(scatter.interval95, translator)
+}
+
+fn probability(probability: f64, translator: &Translator) -> String {
+    const LEAST: f64 = 1e-4;
+    if probability < LEAST {
+        format!("< {}", translator.fixed(LEAST, 4))
+    } else if probability > 1.0 - LEAST {
+        format!("> {}", translator.fixed(1.0 - LEAST, 4))
+    } else {
+        translator.fixed(probability, 4)
+    }
 }

@@ -2,13 +2,15 @@
 
 use std::f64::consts::TAU;
 
+use bouncelab::Estimate;
 use bouncelab::analysis::{self, Drop, Options};
 use bouncelab::demo;
 use bouncelab::detection::Envelope;
+use bouncelab::groups::CurvePoint;
 use bouncelab_report::Chart;
 use bouncelab_report::figure::{
-    self, Curve, Detection, DragAxes, EvaluatedValue, FigureInput, GroupCurve, GroupInterval,
-    GroupPoint, Line, Mark, RankHistogram, RunPoint, TimedFlight,
+    self, Curve, Detection, DragAxes, EvaluatedValue, FigureInput, GroupCurve, GroupInterval, Line,
+    Mark, RankHistogram, RunPoint, TimedFlight,
 };
 use bouncelab_report::messages::Translator;
 use bouncelab_report::theme::Meaning;
@@ -340,10 +342,7 @@ fn of_many_drops(translator: &Translator) -> Unnamed {
         (
             "run",
             run,
-            &[
-                "drop, in order",
-                "restitution minus the median of the group",
-            ],
+            &["drop, in order", "ln e less the median of the group"],
         ),
         (
             "calibration",
@@ -380,11 +379,10 @@ fn group_curves(groups: u32) -> Vec<GroupCurve> {
             impacts: (0..30)
                 .map(|i| [speed(i % 9), value + 1e-4 * f64::from(i)])
                 .collect(),
-            means: (0..9)
-                .map(|place| GroupPoint {
+            curve: (0..9)
+                .map(|place| CurvePoint {
                     speed_m_s: speed(place),
-                    value,
-                    interval95: (place > 0).then_some([value - 0.002, value + 0.002]),
+                    restitution: Estimate::normal(value, 0.001),
                 })
                 .collect(),
         }
@@ -419,8 +417,7 @@ fn group_intervals(groups: u32) -> Vec<GroupInterval> {
         let mean = 0.94 - 0.005 * f64::from(group);
         GroupInterval {
             name: format!("a ball with a rather long name, number {group}"),
-            mean,
-            interval95: (group > 0).then_some([mean - 0.002, mean + 0.002]),
+            restitution: Estimate::normal(mean, 0.001),
             next95: (group > 1).then_some([mean - 0.006, mean + 0.006]),
             drops: (0..=group)
                 .map(|i| (mean + 1e-3 * f64::from(i % 5), i == 3))

@@ -95,8 +95,6 @@ fn metadata(schema: &Schema) -> Vec<KeyValue> {
         serde_json::Value::Object(entries.collect()).to_string()
     };
     [
-        ("bouncelab.schema", schema.schema.to_owned()),
-        ("bouncelab.version", schema.version.to_owned()),
         (
             "bouncelab.units",
             of_columns(&|column| column.unit.to_string()),
@@ -105,6 +103,9 @@ fn metadata(schema: &Schema) -> Vec<KeyValue> {
             "bouncelab.about",
             of_columns(&|column| column.about.to_string()),
         ),
+        // Last, so that it stands near the end: it marks a file as ours.
+        ("bouncelab.schema", schema.schema.to_owned()),
+        ("bouncelab.version", schema.version.to_owned()),
     ]
     .map(|(key, value)| KeyValue::new(key.to_owned(), Some(value)))
     .into()

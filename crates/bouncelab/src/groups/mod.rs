@@ -1,52 +1,50 @@
-//! Statistics of many drops: by ball, surface, operator, or other metadata.
+//! Many drops as one model: the restitution curve of each ball and surface, and how drops scatter about it.
 //!
-//! Every drop has one value, say the restitution at a speed, with a standard error of its own. But
-//! drops differ by more than their errors: each finds another spot of the surface. So the mean of a
-//! group is that of a random-effects model, y = m + b + r, with a scatter b between drops beside the
-//! known error r of each. What all drops share, such as the drag law, does not average out and is
-//! kept apart by those who call.
+//! The likelihood of each drop goes in as it is, at its own impact speeds ([`CurveEvidence`]): high and low drops tell other
+//! parts of the curve of their group, and none is left out for its speed. Drops of a group scatter in level, and so may
+//! operators; what all drops of a ball share (drag, contact time, gravity) does not average out.
 //!
 //! | module | question that it answers |
 //! |---|---|
-//! | [`mean`](Mean) | what is the mean of a group, and how do its drops scatter? |
-//! | [`mixed`](Mixed) | who varies: ball, surface, operator or drop? |
-//! | [`compare`](compare()) | by how much do two groups differ? |
+//! | [`evidence`](CurveEvidence) | what does one drop say of the curve, without what was assumed before the data? |
+//! | `sums` | what must be kept of drops, so that a million are studied as one? |
+//! | `fit` | which curve has a group, and how do its drops and operators scatter? |
+//! | `heights` | from which heights did they fall, and where is the zero of the ruler? |
 //! | [`outlier`](outliers()) | which drops do not belong to their group? |
 //! | [`plan`](drops_needed()) | how many drops does a wanted uncertainty take? |
-//! | [`law`](RestitutionCurve) | what does a drop know of its restitution, at speeds that all drops share? |
-//! | [`apart`](VarianceComponent) | which factors can be told apart, and what does each of them do? |
 //! | [`study`](Study) | all of it at once |
 //!
 //! ```
-//! use bouncelab::inference::Measured;
-//! use bouncelab::groups::Mean;
+//! use bouncelab::groups::{Asked, Study, StudyDrop};
+//! use bouncelab::inference::SamplerConfig;
+//! use bouncelab::{Options, analyze_times};
 //!
-//! let drops = [0.921, 0.924, 0.919, 0.926].map(|value| Measured { value, sd: 0.001 });
-//! let mean = Mean::of(&drops)?;
-//! assert_eq!(format!("{:.4}", mean.value), "0.9225");
-//! // Equal errors: the standard error is that of any mean, scatter over root n.
-//! assert_eq!(format!("{:.4}", mean.standard_error), "0.0016");
-//! let [low, high] = mean.interval95.unwrap();
-//! assert!(low < 0.918 && high > 0.927);
+//! let options = Options::default().with_sampler(SamplerConfig { draws: 300, seed: 1 });
+//! let times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045, 2.3308, 2.6375, 2.9262, 3.1984];
+//! let drop = |scale: f64| -> bouncelab::Result<StudyDrop> {
+//!     let posterior = analyze_times(&times_s.map(|time_s| scale * time_s), &options).drops.remove(0).posterior?;
+//!     let evidence = posterior.evidence().unwrap();
+//!     Ok(StudyDrop { evidence, scatter: None, levels: Vec::new() })
+//! };
+//! let study = Study::of(&[drop(1.0)?, drop(0.999)?, drop(1.001)?], &Asked::default())?;
+//! let restitution = study.groups[0].restitution.unwrap();
+//! assert!((restitution.value - 0.95).abs() < 0.02);
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
-mod compare;
-mod components;
-mod curve;
-mod mean;
-mod mixed;
+mod evidence;
+mod fit;
+mod heights;
+mod mixture;
 mod outlier;
 mod plan;
-mod quantile;
-mod reml;
 mod study;
+mod sums;
 
-pub use compare::{Difference, compare, compare_means};
-pub use components::{Covariate, Trend, VarianceComponent};
-pub use curve::{CurvePoint, RestitutionCurve};
-pub use mean::Mean;
-pub use mixed::{Component, Drop, Factor, Mixed};
+pub use evidence::{CurveEvidence, HeightEvidence, Reading, SHARED_INPUTS};
 pub use outlier::{OUTLIER_THRESHOLD, Outlier, outliers};
 pub use plan::{MAX_DROPS, drops_needed, run_limit};
-pub use study::{Group, MeanAtSpeed, Study, StudyDrop};
+pub use study::{
+    Asked, Compared, CurvePoint, Difference, Factor, FittedDrop, Group, MAX_RANDOM, Study,
+    StudyDrop,
+};

@@ -1,434 +1,676 @@
-//! All statistics of the drops of a session.
+//! One model of all drops of a session.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::compare::Difference;
-use super::components::{Apart, Covariate, Trend, VarianceComponent};
-use super::curve::{CurvePoint, RestitutionCurve};
-use super::mean::Mean;
-use super::mixed::{Drop, Factor};
+use nalgebra::{DVector, SMatrix};
+
+use super::evidence::{CurveEvidence, SHARED_INPUTS};
+use super::fit::{Cell, Effects, Frame, GroupFit, Inputs, Linear, Shared, distribution};
+use super::heights::{self, Height};
+use super::mixture::Mixture;
 use super::outlier::{Outlier, outliers};
 use super::plan::drops_needed;
+use super::sums::{Basis, Rows, Sums};
 use crate::error::{Error, Quantity, Result, positive};
+use crate::estimate::Estimate;
 use crate::inference::Measured;
 use crate::stats::median;
+
+/// Something by which drops can be compared, such as the surface.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Factor {
+    /// What it is called.
+    pub name: String,
+    /// Its levels.
+    pub levels: Vec<String>,
+}
 
 /// What one drop adds to a study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StudyDrop {
-    /// Its restitution at [`RestitutionCurve::speeds`].
-    pub curve: RestitutionCurve,
+    /// What it says of the restitution curve.
+    pub evidence: CurveEvidence,
     /// Scatter of ln e from impact to impact, above zero.
-    pub scatter: Option<Measured>,
+    pub scatter: Option<f64>,
     /// Level of each factor; `None` where it was not noted.
     pub levels: Vec<Option<usize>>,
 }
 
-/// Drops that have the same levels of the factors by which they are grouped.
+/// What is asked of drops, with factors by their index.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Asked {
+    /// The factors that make groups.
+    pub by: Vec<usize>,
+    /// The factors whose levels scatter about the group, such as operators: at most [`MAX_RANDOM`].
+    pub random: Vec<usize>,
+    /// The factor that says which ball it was: drops of one ball share its drag, mass, diameter and contact time.
+    pub ball: Option<usize>,
+    /// The impact speed at which groups are compared, m/s; if left out, a round one that the groups have in common.
+    pub at_speed_m_s: Option<f64>,
+    /// The half width of the 95 % interval that the restitution should have; if left out, half of what it has.
+    pub wanted: Option<f64>,
+}
+
+/// Maximum number of factors whose levels scatter.
+pub const MAX_RANDOM: usize = 2;
+
+/// The drops of a ball on a surface, or whatever makes a group.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Group {
-    /// Level of each of those factors.
+    /// Level of each of the factors that make groups.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub levels: Vec<Option<usize>>,
     /// The drops, by their place in the list given.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub drops: Vec<usize>,
-    /// The mean restitution at the speed of the study, with the scatter between drops.
-    #[cfg_attr(feature = "serde", serde(rename = "restitution"))]
-    pub mean: Mean,
-    /// The same without the outliers of the study, if this group has any and others besides.
-    pub without_outliers: Option<Mean>,
-    /// Standard uncertainty that all drops share, and that no number of drops makes smaller.
-    pub shared_sd: f64,
-    /// Typical scatter of restitution from impact to impact, relative.
+    /// How many drops.
+    #[cfg_attr(feature = "serde", serde(rename = "drops"))]
+    pub count: usize,
+    /// The slowest and the fastest of the impacts, m/s.
+    pub range_m_s: [f64; 2],
+    /// Restitution at the speed of the study; `None` if it lies outside the range.
+    pub restitution: Option<Estimate>,
+    /// Of its standard uncertainty, what all drops share and no number of drops makes smaller.
+    pub shared_sd: Option<f64>,
+    /// Where the next drop lies there with 95 % probability, its own errors left out.
+    pub next95: Option<[f64; 2]>,
+    /// The same without the outliers of the group, if it has any and others besides.
+    pub without_outliers: Option<Estimate>,
+    /// Scatter between drops beyond their own errors, relative.
+    pub between_drops: Estimate,
+    /// Typical scatter from impact to impact, relative.
     pub between_impacts: Option<f64>,
-    /// How many drops in all the wanted half width of the 95 % interval takes, or half of the present
-    /// one if none was stated.
+    /// Standard deviation of a drop by its own errors, relative.
+    pub own_sd: f64,
+    /// Standard deviation of results of one operator (ISO 5725-1, 3.15), at the speed of the study.
+    pub repeatability_sd: Option<Estimate>,
+    /// Standard deviation of results of different operators (ISO 5725-1, 3.20), if operators were noted.
+    pub reproducibility_sd: Option<f64>,
+    /// How many drops in all the wanted uncertainty takes.
     pub drops_needed: Option<usize>,
-    /// Restitution against speed, pooled over the drops that know it: at each speed a mean of its own.
-    pub curve: Vec<MeanAtSpeed>,
+    /// Restitution over the range.
+    pub curve: Vec<CurvePoint>,
 }
 
-/// The mean restitution of the drops of a group that know it at an impact speed.
+/// Restitution of a group at one impact speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct MeanAtSpeed {
+pub struct CurvePoint {
     /// Impact speed, m/s.
     pub speed_m_s: f64,
-    /// The mean there.
-    #[cfg_attr(feature = "serde", serde(flatten))]
-    pub mean: Mean,
+    /// Restitution there.
+    pub restitution: Estimate,
+}
+
+/// The difference of the restitutions of two groups.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Difference {
+    /// The group from which it is counted, by its place.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub of: usize,
+    /// The group that is subtracted.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub less: usize,
+    /// At the speed of the study, if both groups have it.
+    pub at_speed: Option<Compared>,
+    /// The mean over the range of speeds, in ln v, that both have, if there is one.
+    pub over_range: Option<Compared>,
+    /// That range, m/s.
+    pub range_m_s: Option<[f64; 2]>,
+}
+
+/// A difference with its probability.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Compared {
+    /// The difference.
+    pub difference: Estimate,
+    /// The probability that it is above zero.
+    pub above_zero: f64,
+}
+
+/// One drop in the light of the others.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct FittedDrop {
+    /// Its group, by its place.
+    pub group: usize,
+    /// ln e of the drop above that of its group, whatever the speed, with the error of the drop alone.
+    pub off: Measured,
+    /// Its drop height, m, if it tells one.
+    pub height_m: Option<Estimate>,
 }
 
 /// What the drops of a session say together.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Study {
-    /// The impact speed at which all drops are compared, m/s.
+    /// The impact speed at which groups are compared, m/s.
     pub at_speed_m_s: f64,
-    /// Drops that do not know their restitution at this speed, by their place.
-    pub left_out: Vec<usize>,
-    /// All drops as one group.
-    pub all: Group,
-    /// The groups, in the order of their levels; a single one repeats `all`.
+    /// The groups, in the order of their levels.
     pub groups: Vec<Group>,
-    /// Who varies: each factor of two levels or more, then the drops.
-    pub varies: Vec<VarianceComponent>,
-    /// For each factor of two levels or more its place and the differences of its levels. A factor
-    /// with amounts that has a level for nearly every drop is not compared by levels.
-    pub differences: Vec<(usize, Vec<Difference>)>,
-    /// For each factor with amounts and three levels or more, how restitution changes with them.
-    pub trends: Vec<Trend>,
-    /// Drops that do not belong to their group, by their place in the list given.
+    /// The differences of groups: of all if there are few, else of those that differ in one factor.
+    pub differences: Vec<Difference>,
+    /// The relative scatter of the levels of each factor in [`Asked::random`].
+    pub scatters: Vec<(usize, Estimate)>,
+    /// Each drop; `None` if it has no usable evidence.
+    pub drops: Vec<Option<FittedDrop>>,
+    /// By how much stated heights are larger than those heard, m, if two or more are stated.
+    pub ruler_zero_m: Option<Estimate>,
+    /// Drops that do not belong to their group.
     pub outliers: Vec<Outlier>,
 }
 
 impl Study {
-    /// Studies drops, grouped `by` some of the factors, of which some have amounts.
-    ///
-    /// Without a speed it takes that which most drops know. `wanted` is the half width of a 95 %
-    /// interval for [`Group::drops_needed`].
+    /// Studies drops.
     ///
     /// # Errors
-    /// [`Error::TooFewDrops`] if no drop knows its restitution at the speed, [`Error::OutOfRange`]
-    /// for a speed that is not above zero.
-    pub fn of(
-        drops: &[StudyDrop],
-        factors: &[Factor],
-        amounts: &[Covariate],
-        by: &[usize],
-        at_speed_m_s: Option<f64>,
-        wanted: Option<f64>,
-    ) -> Result<Self> {
-        let speed_m_s = match at_speed_m_s {
-            Some(speed_m_s) => positive(Quantity::ImpactSpeed, speed_m_s)?,
-            None => common_speed_m_s(drops).ok_or(Error::TooFewDrops {
+    /// [`Error::TooFewDrops`] if no drop has evidence, [`Error::OutOfRange`] for a speed that no group has.
+    pub fn of(drops: &[StudyDrop], asked: &Asked) -> Result<Self> {
+        let used: Vec<usize> = (0..drops.len())
+            .filter(|&place| drops[place].evidence.is_usable())
+            .collect();
+        let members = members(drops, &used, &asked.by);
+        let ranges: Vec<[f64; 2]> = members
+            .values()
+            .map(|of_group| range(drops, of_group))
+            .collect();
+        let Some(whole) = hull(&ranges) else {
+            return Err(Error::TooFewDrops {
                 needed: 1,
                 drops: 0,
-            })?,
+            });
         };
-        let known: Vec<Option<CurvePoint>> =
-            drops.iter().map(|drop| drop.curve.at(speed_m_s)).collect();
-        let used: Vec<usize> = (0..drops.len()).filter(|&i| known[i].is_some()).collect();
-        let values: Vec<Measured> = known.iter().flatten().map(own).collect();
-        let cells = cells(drops, &used, by);
-        let outliers = outliers_of(&cells, &used, &values);
-        let odd: BTreeSet<usize> = outliers.iter().map(|outlier| outlier.drop).collect();
-        let of = |places: &[usize], levels: Vec<Option<usize>>| {
-            group(drops, &known, places, &odd, levels, wanted)
+        let at_speed_m_s = match asked.at_speed_m_s {
+            Some(speed_m_s) => {
+                positive(Quantity::ImpactSpeed, speed_m_s)?;
+                if !ranges.iter().any(|range| holds(range, speed_m_s)) {
+                    return Err(Error::TooFewDrops {
+                        needed: 1,
+                        drops: 0,
+                    });
+                }
+                speed_m_s
+            }
+            None => common_speed_m_s(&ranges, whole),
         };
-        let groups = cells
-            .iter()
-            .map(|(levels, places)| of(places, levels.clone()))
-            .collect::<Result<Vec<_>>>()?;
-        let modelled: Vec<Drop> = used
-            .iter()
-            .zip(&values)
-            .map(|(&place, &measured)| Drop {
-                measured,
-                levels: drops[place].levels.clone(),
-            })
-            .collect();
-        let apart = Apart::new(modelled, factors, amounts);
-        Ok(Self {
-            at_speed_m_s: speed_m_s,
-            left_out: (0..drops.len()).filter(|&i| known[i].is_none()).collect(),
-            all: of(&used, Vec::new())?,
-            varies: apart.varies(),
-            differences: apart.differences(),
-            trends: amounts.iter().filter_map(|a| apart.trend(a)).collect(),
-            groups,
-            outliers,
+        let fitting = Fitting::new(drops, asked, &members, Basis::covering(whole)).ok_or(
+            Error::TooFewDrops {
+                needed: 1,
+                drops: 0,
+            },
+        )?;
+        Ok(fitting.study(asked, at_speed_m_s, &ranges))
+    }
+
+    /// Restitution of a drop at the speed of the study, by its level, with its own error; `None` if its group does not have
+    /// that speed.
+    pub fn restitution_of(&self, drop: usize) -> Option<Measured> {
+        let fitted = self.drops[drop]?;
+        let group = self.groups[fitted.group].restitution?;
+        let value = group.value * fitted.off.value.exp();
+        Some(Measured {
+            value,
+            sd: value * fitted.off.sd,
         })
     }
 }
 
-/// The drops that have the same levels of some factors, by those levels.
-type Cells = BTreeMap<Vec<Option<usize>>, Vec<usize>>;
+/// The drops of each group, by the levels that make it.
+type Members = BTreeMap<Vec<Option<usize>>, Vec<usize>>;
 
-fn cells(drops: &[StudyDrop], used: &[usize], by: &[usize]) -> Cells {
-    let mut cells = Cells::new();
+fn members(drops: &[StudyDrop], used: &[usize], by: &[usize]) -> Members {
+    let mut members = Members::new();
     for &place in used {
         let levels = by.iter().map(|&factor| drops[place].levels[factor]);
-        cells.entry(levels.collect()).or_default().push(place);
+        members.entry(levels.collect()).or_default().push(place);
     }
-    cells
+    members
 }
 
-/// The drops that do not belong to their cell, by their place in the list given.
-fn outliers_of(cells: &Cells, used: &[usize], values: &[Measured]) -> Vec<Outlier> {
-    let mut cell_of = BTreeMap::new();
-    for (places, number) in cells.values().zip(0..) {
-        cell_of.extend(places.iter().map(|&place| (place, number)));
-    }
-    let groups: Vec<usize> = used.iter().map(|place| cell_of[place]).collect();
-    outliers(values, &groups)
-        .into_iter()
-        .map(|outlier| Outlier {
-            drop: used[outlier.drop],
-            ..outlier
-        })
-        .collect()
+fn range(drops: &[StudyDrop], places: &[usize]) -> [f64; 2] {
+    let ranges = places.iter().map(|&place| drops[place].evidence.range_m_s);
+    ranges.reduce(wider).unwrap_or([1.0, 1.0])
 }
 
-/// The value of a drop with what of its uncertainty is its own.
-fn own(point: &CurvePoint) -> Measured {
-    Measured {
-        value: point.value,
-        sd: point.own_sd,
-    }
+fn wider(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0].min(b[0]), a[1].max(b[1])]
 }
 
-/// The speed that most drops know; of several, the one nearest to the middle of what drops know.
-fn common_speed_m_s(drops: &[StudyDrop]) -> Option<f64> {
-    let mut known: BTreeMap<u64, usize> = BTreeMap::new();
-    for point in drops.iter().flat_map(|drop| &drop.curve.0) {
-        // Speeds are positive, so their bits are in the order of their values.
-        *known.entry(point.speed_m_s.to_bits()).or_default() += 1;
-    }
-    let most = known.values().copied().max()?;
-    let middle = median(drops.iter().filter_map(|drop| {
-        let (first, last) = (drop.curve.0.first()?, drop.curve.0.last()?);
-        Some((first.speed_m_s * last.speed_m_s).sqrt().ln())
-    }))?;
-    known
-        .into_iter()
-        .filter(|(_, count)| *count == most)
-        .map(|(bits, _)| f64::from_bits(bits))
-        .min_by(|a, b| (a.ln() - middle).abs().total_cmp(&(b.ln() - middle).abs()))
+fn hull(ranges: &[[f64; 2]]) -> Option<[f64; 2]> {
+    ranges.iter().copied().reduce(wider)
 }
 
-fn group(
-    drops: &[StudyDrop],
-    known: &[Option<CurvePoint>],
-    places: &[usize],
-    odd: &BTreeSet<usize>,
-    levels: Vec<Option<usize>>,
-    wanted: Option<f64>,
-) -> Result<Group> {
-    let points: Vec<CurvePoint> = places.iter().filter_map(|&place| known[place]).collect();
-    let values: Vec<Measured> = points.iter().map(own).collect();
-    let mean = Mean::of(&values)?;
-    let ordinary = std::iter::zip(places, &values).filter(|(place, _)| !odd.contains(place));
-    let ordinary: Vec<Measured> = ordinary.map(|(_, value)| *value).collect();
-    let has_both = (1..values.len()).contains(&ordinary.len());
-    Ok(Group {
-        levels,
-        drops: places.to_vec(),
-        without_outliers: has_both.then(|| Mean::of(&ordinary)).transpose()?,
-        shared_sd: points.iter().map(|point| point.shared_sd).sum::<f64>() / points.len() as f64,
-        between_impacts: typical_scatter(places.iter().filter_map(|&place| drops[place].scatter)),
-        drops_needed: wanted
-            .or_else(|| mean.interval95.map(|[low, high]| 0.25 * (high - low)))
-            .and_then(|wanted| drops_needed(&mean, wanted)),
-        curve: pooled(drops, places),
-        mean,
-    })
+fn holds([slowest, fastest]: &[f64; 2], speed_m_s: f64) -> bool {
+    (slowest * (1.0 - 1e-9)..=fastest * (1.0 + 1e-9)).contains(&speed_m_s)
 }
 
-/// The scatter that drops have in common. One drop knows its own to a fifth or so, as a factor: the
-/// mean of the logarithms is not raised by that, as a mean of squares would be.
-fn typical_scatter(scatters: impl Iterator<Item = Measured>) -> Option<f64> {
-    let logarithms: Vec<Measured> = scatters
-        .map(|scatter| Measured {
-            value: scatter.value.ln(),
-            sd: scatter.sd / scatter.value,
-        })
-        .collect();
-    Some(Mean::of(&logarithms).ok()?.value.exp())
+/// A round speed near the middle of the speeds that most groups have.
+fn common_speed_m_s(ranges: &[[f64; 2]], whole: [f64; 2]) -> f64 {
+    let having = |speed: f64| ranges.iter().filter(|range| holds(range, speed)).count();
+    let ends: Vec<f64> = ranges.iter().flatten().copied().collect();
+    let most = ends.iter().map(|&end| having(end)).max().unwrap_or(0);
+    let common = ends.iter().copied().filter(|&end| having(end) == most);
+    let [slowest, fastest] = common.map(|end| [end, end]).reduce(wider).unwrap_or(whole);
+    let middle = (slowest * fastest).sqrt();
+    let decade = 10_f64.powf(middle.log10().floor());
+    let round = [1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0].map(|digit| digit * decade);
+    let near = |speed: &f64| (speed / middle).ln().abs();
+    let round = round.into_iter().filter(|&speed| having(speed) == most);
+    round
+        .min_by(|a, b| near(a).total_cmp(&near(b)))
+        .unwrap_or(middle)
 }
 
-/// At each speed the mean of the drops that know it.
-fn pooled(drops: &[StudyDrop], places: &[usize]) -> Vec<MeanAtSpeed> {
-    let mut at_speed: BTreeMap<u64, Vec<Measured>> = BTreeMap::new();
-    for point in places.iter().flat_map(|&place| &drops[place].curve.0) {
-        let known = at_speed.entry(point.speed_m_s.to_bits()).or_default();
-        known.push(own(point));
-    }
-    at_speed
-        .into_iter()
-        .filter_map(|(bits, values)| {
-            Some(MeanAtSpeed {
-                speed_m_s: f64::from_bits(bits),
-                mean: Mean::of(&values).ok()?,
+/// All groups, fitted.
+struct Fitting<'a> {
+    drops: &'a [StudyDrop],
+    members: Vec<(&'a Vec<Option<usize>>, &'a Vec<usize>)>,
+    frame: Frame,
+    /// The effects that each drop has.
+    effects_of: Vec<Vec<usize>>,
+    groups: Vec<GroupFit>,
+    /// The ball of each group; `None` if it mixes balls.
+    balls: Vec<Option<Option<usize>>>,
+    inputs: Vec<Inputs>,
+    effects: Vec<(f64, Effects)>,
+    scatters: Vec<Estimate>,
+}
+
+impl<'a> Fitting<'a> {
+    fn new(
+        drops: &'a [StudyDrop],
+        asked: &Asked,
+        members: &'a Members,
+        basis: Basis,
+    ) -> Option<Self> {
+        let ball = |place: usize| asked.ball.and_then(|factor| drops[place].levels[factor]);
+        let balls: Vec<Option<Option<usize>>> = members
+            .values()
+            .map(|places| {
+                let of: BTreeSet<Option<usize>> = places.iter().map(|&place| ball(place)).collect();
+                (of.len() == 1).then(|| ball(places[0]))
             })
+            .collect();
+        let mut by_ball: BTreeMap<Option<Option<usize>>, Vec<usize>> = BTreeMap::new();
+        for (ball, places) in balls.iter().zip(members.values()) {
+            by_ball.entry(*ball).or_default().extend(places);
+        }
+        let by_ball: BTreeMap<_, Inputs> = by_ball
+            .into_iter()
+            .map(|(ball, places)| (ball, inputs(drops, &places)))
+            .collect();
+        let inputs: Vec<Inputs> = balls.iter().map(|ball| by_ball[ball]).collect();
+        let mut factors = Vec::new();
+        let mut effects_of = vec![Vec::new(); drops.len()];
+        for (number, &factor) in asked.random.iter().take(MAX_RANDOM).enumerate() {
+            let first = factors.len();
+            for (drop, effects) in drops.iter().zip(&mut effects_of) {
+                if let Some(level) = drop.levels[factor] {
+                    effects.push(first + level);
+                    factors.resize(factors.len().max(first + level + 1), number);
+                }
+            }
+        }
+        let frame = Frame::new(basis, factors);
+        let of_group = |(places, inputs): (&Vec<usize>, &Inputs)| {
+            GroupFit::new(&frame, &cells(&frame, drops, &effects_of, places), inputs)
+        };
+        let groups = members
+            .values()
+            .zip(&inputs)
+            .map(of_group)
+            .collect::<Option<Vec<_>>>()?;
+        let (effects, scatters) = Effects::of(&frame, &groups, asked.random.len().min(MAX_RANDOM));
+        Some(Self {
+            drops,
+            members: members.iter().collect(),
+            frame,
+            effects_of,
+            groups,
+            balls,
+            inputs,
+            effects,
+            scatters,
         })
-        .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn curve(slowest: f64, fastest: f64, value: impl Fn(f64) -> f64) -> RestitutionCurve {
-        let points = RestitutionCurve::speeds(slowest, fastest).into_iter();
-        RestitutionCurve(
-            points
-                .map(|speed_m_s| CurvePoint {
-                    speed_m_s,
-                    value: value(speed_m_s),
-                    own_sd: 0.001,
-                    shared_sd: 0.0005,
-                })
-                .collect(),
-        )
     }
 
-    fn factor(name: &str, levels: &[&str]) -> Factor {
-        Factor {
-            name: name.to_owned(),
-            levels: levels.iter().map(|level| (*level).to_owned()).collect(),
+    fn study(&self, asked: &Asked, at_speed_m_s: f64, ranges: &[[f64; 2]]) -> Study {
+        let mut fitted = vec![None; self.drops.len()];
+        let mut found_heights = vec![None; self.drops.len()];
+        for (group, (_, places)) in self.members.iter().enumerate() {
+            for &place in *places {
+                fitted[place] = Some((group, self.off(group, place)));
+                found_heights[place] = self.height(group, place);
+            }
+        }
+        let (ruler_zero_m, found_heights) = heights::with_zero(&found_heights);
+        let places: Vec<usize> = (0..fitted.len())
+            .filter(|&place| fitted[place].is_some())
+            .collect();
+        let (groups_of, offs): (Vec<usize>, Vec<Measured>) =
+            fitted.iter().flatten().copied().unzip();
+        let outliers: Vec<Outlier> = outliers(&offs, &groups_of)
+            .into_iter()
+            .map(|outlier| Outlier {
+                drop: places[outlier.drop],
+                ..outlier
+            })
+            .collect();
+        let odd: BTreeSet<usize> = outliers.iter().map(|outlier| outlier.drop).collect();
+        let drops = fitted.iter().zip(found_heights).map(|(fitted, height_m)| {
+            let (group, off) = (*fitted)?;
+            Some(FittedDrop {
+                group,
+                off,
+                height_m,
+            })
+        });
+        Study {
+            at_speed_m_s,
+            groups: (0..self.groups.len())
+                .map(|group| self.group(group, asked, at_speed_m_s, ranges[group], &odd))
+                .collect(),
+            differences: self.differences(at_speed_m_s, ranges),
+            scatters: asked
+                .random
+                .iter()
+                .copied()
+                .zip(self.scatters.iter().copied())
+                .collect(),
+            drops: drops.collect(),
+            ruler_zero_m,
+            outliers,
         }
     }
 
-    /// Drops from different heights of a ball whose restitution falls with speed differ at their own
-    /// speeds and agree at a common one.
-    #[test]
-    fn drops_from_different_heights_meet_at_one_speed() {
-        let falling = |speed: f64| 0.95 - 0.01 * speed;
-        let drops: Vec<StudyDrop> = [2.0, 3.0, 4.5, 2.5]
+    /// The most probable effects.
+    fn likeliest_effects(&self) -> &Effects {
+        let mut best = &self.effects[0];
+        for effects in &self.effects {
+            if effects.0 > best.0 {
+                best = effects;
+            }
+        }
+        &best.1
+    }
+
+    /// The level of a drop above that of its group and operator: that of its readings v - X β - a o - L z, by least squares.
+    fn off(&self, group: usize, place: usize) -> Measured {
+        let rows = Rows::new(&self.frame.basis, &self.drops[place].evidence);
+        let len = self.frame.basis.len();
+        let along = rows.table.tr_mul(&rows.level);
+        let linear = self.groups[group].likeliest_linear(&along.rows(0, len).into_owned());
+        let effects = &self.likeliest_effects().mean;
+        let of_effects: f64 = self.effects_of[place]
             .iter()
-            .map(|&fastest| StudyDrop {
-                curve: curve(0.7, fastest, falling),
-                scatter: Some(Measured {
-                    value: 0.003,
-                    sd: 0.0006,
-                }),
-                levels: vec![],
-            })
-            .collect();
-        let study = Study::of(&drops, &[], &[], &[], None, Some(0.01)).unwrap();
-        assert!(study.at_speed_m_s <= 2.0);
-        let expected = falling(study.at_speed_m_s);
-        assert!((study.all.mean.value - expected).abs() < 1e-9);
-        assert!((study.all.between_impacts.unwrap() - 0.003).abs() < 1e-12);
-        assert!((study.all.shared_sd - 0.0005).abs() < 1e-12);
-        assert_eq!(study.groups.len(), 1);
-        let fastest = study.all.curve.last().unwrap();
-        assert!(fastest.speed_m_s >= 4.0 && fastest.mean.drops == 1);
-        let fast = Study::of(&drops, &[], &[], &[], Some(4.0), None).unwrap();
-        assert_eq!(fast.left_out, [0, 1, 3]);
-        assert!(Study::of(&drops, &[], &[], &[], Some(40.0), None).is_err());
+            .map(|&effect| effects[effect])
+            .sum();
+        let of_inputs = along
+            .fixed_rows::<SHARED_INPUTS>(len)
+            .dot(&self.inputs[group].mean);
+        let of_curve = linear.mean + linear.by_effects.dot(effects);
+        Measured {
+            value: (along[len + SHARED_INPUTS] - of_curve - of_inputs) / rows.precision()
+                - of_effects,
+            sd: rows.precision().sqrt().recip(),
+        }
     }
 
-    /// The low drops never were as fast, so their height is no level there; the others are compared.
-    #[test]
-    fn levels_that_do_not_know_the_speed_do_not_hide_the_others() {
-        let factors = [
-            factor("height", &["low", "middle", "high"]),
-            factor("ball", &["a", "b"]),
-        ];
-        let drops: Vec<StudyDrop> = (0..18)
-            .map(|drop| StudyDrop {
-                curve: curve(0.5, [1.5, 3.0, 4.5][drop % 3], |_| {
-                    0.9 + 0.01 * (drop / 3 % 2) as f64 + 0.0004 * (drop / 6) as f64
-                }),
-                scatter: None,
-                levels: vec![Some(drop % 3), Some(drop / 3 % 2)],
-            })
-            .collect();
-        let study = Study::of(&drops, &factors, &[], &[1], Some(2.5), None).unwrap();
-        assert_eq!(study.left_out.len(), 6);
-        let (factor, of_height) = &study.differences[0];
-        assert_eq!((*factor, of_height.len()), (0, 1));
-        assert_eq!((of_height[0].of, of_height[0].less), (2, 1));
-        let (factor, of_ball) = &study.differences[1];
-        assert_eq!(*factor, 1);
-        assert!((of_ball[0].value.value - 0.01).abs() < 1e-6);
-        assert_eq!(study.varies[0].levels, 2);
+    fn height(&self, group: usize, place: usize) -> Option<Height> {
+        Height::new(
+            &self.frame,
+            &self.drops[place].evidence,
+            &self.effects_of[place],
+            &self.groups[group],
+            self.likeliest_effects(),
+            &self.inputs[group],
+        )
     }
 
-    /// Scatters that are known to a quarter, spread by as much as that: their root mean square is 3 %
-    /// above what is common to them.
-    #[test]
-    fn uncertain_scatters_do_not_add_up() {
-        let spread = [-0.25_f64, 0.25, -0.25, 0.25].map(|off| 0.003 * off.exp());
-        let scatters = spread.map(|value| Measured {
-            value,
-            sd: 0.25 * value,
+    /// ln e of a group at a speed.
+    fn at(&self, group: &GroupFit, inputs: &Inputs, speed_m_s: f64) -> Mixture {
+        let linear = group.linear(&self.frame.basis.at(speed_m_s));
+        distribution(&linear, None, &self.effects, [inputs; 2])
+    }
+
+    fn group(
+        &self,
+        index: usize,
+        asked: &Asked,
+        at_speed_m_s: f64,
+        range_m_s: [f64; 2],
+        odd: &BTreeSet<usize>,
+    ) -> Group {
+        let (fit, inputs) = (&self.groups[index], &self.inputs[index]);
+        let (levels, places) = self.members[index];
+        let restitution = |group: &GroupFit, speed_m_s: f64| {
+            self.at(group, inputs, speed_m_s)
+                .estimate(f64::exp, f64::exp)
+        };
+        let has_speed = holds(&range_m_s, at_speed_m_s);
+        let here = has_speed.then(|| restitution(fit, at_speed_m_s));
+        let linear = fit.linear(&self.frame.basis.at(at_speed_m_s));
+        let next = here.map(|_| self.next(&linear, inputs));
+        let others: Vec<usize> = places
+            .iter()
+            .copied()
+            .filter(|place| !odd.contains(place))
+            .collect();
+        let without = (1..places.len()).contains(&others.len()).then(|| {
+            GroupFit::new(
+                &self.frame,
+                &cells(&self.frame, self.drops, &self.effects_of, &others),
+                inputs,
+            )
         });
-        let typical = typical_scatter(scatters.into_iter()).unwrap();
-        assert!((typical - 0.003).abs() < 1e-9, "{typical}");
-        assert_eq!(typical_scatter(std::iter::empty()), None);
-    }
-
-    /// Sixteen drops of two balls, each at a temperature of its own: e grows by 0.0005 a kelvin. The
-    /// last drop but one is far off.
-    #[test]
-    fn an_amount_that_every_drop_has_of_its_own_is_a_line() {
-        let factors = [
-            factor("ball", &["a", "b"]),
-            Factor {
-                name: "temperature".to_owned(),
-                levels: (0..16).map(|kelvin| kelvin.to_string()).collect(),
-            },
-        ];
-        let drops: Vec<StudyDrop> = (0..16)
-            .map(|drop| StudyDrop {
-                curve: curve(1.0, 2.0, |_| {
-                    let kelvin = drop as f64;
-                    let odd = if drop == 14 { 0.1 } else { 0.0 };
-                    0.9 + 0.02 * (drop % 2) as f64 + 0.0005 * kelvin + odd
-                }),
-                scatter: None,
-                levels: vec![Some(drop % 2), Some(drop)],
-            })
-            .collect();
-        let amounts = Covariate {
-            factor: 1,
-            of_levels: (0..16).map(|kelvin| 290.0 + f64::from(kelvin)).collect(),
-        };
-        let study = |drops: &[StudyDrop]| {
-            let amounts = std::slice::from_ref(&amounts);
-            Study::of(drops, &factors, amounts, &[0], None, None).unwrap()
-        };
-        let found = study(&drops);
-        assert_eq!(found.outliers[0].drop, 14);
-        let (with, without) = (&found.groups[0].mean, found.groups[0].without_outliers);
-        assert!((with.drops, without.unwrap().drops) == (8, 7));
-        assert!(with.value - without.unwrap().value > 0.01);
-        assert_eq!(found.groups[1].without_outliers, None);
-        let found = study(&[&drops[..14], &drops[15..]].concat());
-        let [trend] = found.trends.as_slice() else {
-            panic!("{:?}", found.trends)
-        };
-        assert_eq!((trend.factor, trend.levels), (1, 15));
-        assert!((trend.slope.value - 0.0005).abs() < 1e-6, "{trend:?}");
-        let compared: Vec<usize> = found
-            .differences
+        let one_drop = fit.scatter.value.hypot(fit.own_sd);
+        let shared = self.shared(fit, inputs, at_speed_m_s);
+        let operators = asked
+            .random
             .iter()
-            .map(|(factor, _)| *factor)
-            .collect();
-        assert_eq!(compared, [0]);
+            .zip(&self.scatters)
+            .filter(|(factor, _)| Some(**factor) != asked.ball);
+        let operators = operators
+            .map(|(_, scatter)| scatter.value)
+            .reduce(f64::hypot);
+        Group {
+            levels: levels.clone(),
+            count: places.len(),
+            drops: places.clone(),
+            range_m_s,
+            restitution: here,
+            shared_sd: here.map(|here| here.value * shared),
+            next95: next,
+            without_outliers: without
+                .flatten()
+                .filter(|_| has_speed)
+                .map(|without| restitution(&without, at_speed_m_s)),
+            between_drops: fit.scatter,
+            between_impacts: median(places.iter().filter_map(|&place| self.drops[place].scatter)),
+            own_sd: fit.own_sd,
+            repeatability_sd: here.map(|here| {
+                mapped(&fit.scatter, |scatter| {
+                    here.value * scatter.hypot(fit.own_sd)
+                })
+            }),
+            reproducibility_sd: here
+                .zip(operators)
+                .map(|(here, between)| here.value * one_drop.hypot(between)),
+            drops_needed: here.and_then(|here| {
+                let [low, high] = here.interval95;
+                let wanted = asked.wanted.unwrap_or(0.25 * (high - low));
+                drops_needed(one_drop, shared, wanted / here.value)
+            }),
+            curve: speeds(range_m_s)
+                .into_iter()
+                .map(|speed_m_s| CurvePoint {
+                    speed_m_s,
+                    restitution: restitution(fit, speed_m_s),
+                })
+                .collect(),
+        }
     }
 
-    #[test]
-    fn factors_that_always_go_together_are_one() {
-        let factors = [
-            factor("ball", &["a", "b", "c"]),
-            factor("operator", &["x", "y", "z"]),
-            factor("surface", &["one"]),
-        ];
-        let drops: Vec<StudyDrop> = (0..9)
-            .map(|drop| {
-                let value = 0.9 + 0.01 * (drop % 3) as f64 + 0.0005 * (drop / 3) as f64;
-                StudyDrop {
-                    curve: curve(1.0, 2.0, |_| value),
-                    scatter: None,
-                    levels: vec![Some(drop % 3), Some(2 - drop % 3), Some(0)],
-                }
-            })
-            .collect();
-        let study = Study::of(&drops, &factors, &[], &[0], None, None).unwrap();
-        assert_eq!(study.varies.len(), 2);
-        assert_eq!(study.varies[0].factors, [0, 1]);
-        assert!((study.varies[0].component.sd - 0.01).abs() < 0.001);
-        assert_eq!(study.varies[1].factors, Vec::<usize>::new());
-        assert_eq!(study.groups.len(), 3);
-        let (factor, differences) = &study.differences[0];
-        assert_eq!((*factor, differences.len()), (0, 3));
-        assert!((differences[0].value.value - 0.01).abs() < 1e-9);
+    /// Relative standard uncertainty of a group at a speed by what no number of drops makes smaller: inputs and operators.
+    fn shared(&self, fit: &GroupFit, inputs: &Inputs, speed_m_s: f64) -> f64 {
+        let linear = fit.likeliest_linear(&self.frame.basis.at(speed_m_s));
+        let by_inputs = linear
+            .by_inputs
+            .dot(&(inputs.covariance * linear.by_inputs));
+        let of_effects = self.effects.iter().map(|(weight, effects)| {
+            weight
+                * linear
+                    .by_effects
+                    .dot(&(&effects.covariance * &linear.by_effects))
+        });
+        (by_inputs + of_effects.sum::<f64>()).sqrt()
     }
+
+    fn next(&self, linear: &[Linear], inputs: &Inputs) -> [f64; 2] {
+        let with_scatter = |linear: &Linear| Linear {
+            variance: linear.variance + linear.scatter.powi(2),
+            ..linear.clone()
+        };
+        let linear: Vec<Linear> = linear.iter().map(with_scatter).collect();
+        distribution(&linear, None, &self.effects, [inputs; 2])
+            .estimate(f64::exp, f64::exp)
+            .interval95
+    }
+
+    fn differences(&self, at_speed_m_s: f64, ranges: &[[f64; 2]]) -> Vec<Difference> {
+        /// More groups have too many pairs.
+        const FEW: usize = 6;
+        let is_wanted = |of: usize, less: usize| {
+            let levels = std::iter::zip(self.members[of].0, self.members[less].0);
+            self.groups.len() <= FEW || levels.filter(|(one, other)| one != other).count() == 1
+        };
+        let pairs = (0..self.groups.len())
+            .flat_map(|less| (less + 1..self.groups.len()).map(move |of| (of, less)));
+        let difference = |(of, less): (usize, usize)| {
+            let common = [
+                ranges[of][0].max(ranges[less][0]),
+                ranges[of][1].min(ranges[less][1]),
+            ];
+            let is_common = holds(&common, at_speed_m_s);
+            let has_range = common[0] < common[1];
+            Difference {
+                of,
+                less,
+                at_speed: is_common.then(|| self.compared([of, less], &[at_speed_m_s])),
+                over_range: has_range.then(|| self.compared([of, less], &evenly(common))),
+                range_m_s: has_range.then_some(common),
+            }
+        };
+        pairs
+            .filter(|&(of, less)| is_wanted(of, less))
+            .map(difference)
+            .collect()
+    }
+
+    /// The mean difference of two groups over some speeds, linear in the coefficients about the means.
+    fn compared(&self, pair: [usize; 2], speeds_m_s: &[f64]) -> Compared {
+        let mut constant = [0.0; 2];
+        let [of, less] = [0, 1].map(|number| {
+            let group = pair[number];
+            let (fit, inputs) = (&self.groups[group], &self.inputs[group]);
+            let mut along = DVector::zeros(self.frame.basis.len());
+            for &speed_m_s in speeds_m_s {
+                let at = self.at(fit, inputs, speed_m_s).mean();
+                let share = at.exp() / speeds_m_s.len() as f64;
+                along += self.frame.basis.at(speed_m_s) * share;
+                constant[number] += share * (1.0 - at);
+            }
+            fit.linear(&along)
+        });
+        let constant = constant[0] - constant[1];
+        let [one, other] = pair.map(|group| self.balls[group]);
+        let same = one == other && one.is_some();
+        let mixture = distribution(
+            &of,
+            Some((&less, same)),
+            &self.effects,
+            pair.map(|group| &self.inputs[group]),
+        );
+        Compared {
+            difference: mixture.estimate(|value| value + constant, |_| 1.0),
+            above_zero: 1.0 - mixture.below(-constant),
+        }
+    }
+}
+
+/// The sums over some drops of a group, for each set of effects.
+fn cells(
+    frame: &Frame,
+    drops: &[StudyDrop],
+    effects_of: &[Vec<usize>],
+    places: &[usize],
+) -> Vec<Cell> {
+    let mut cells: BTreeMap<&Vec<usize>, Sums> = BTreeMap::new();
+    for &place in places {
+        let sums = cells
+            .entry(&effects_of[place])
+            .or_insert_with(|| Sums::new(&frame.basis));
+        sums.add(&Rows::new(&frame.basis, &drops[place].evidence));
+    }
+    let cells = cells.into_iter();
+    cells
+        .map(|(effects, sums)| Cell {
+            effects: effects.clone(),
+            sums,
+        })
+        .collect()
+}
+
+/// What drops share: the mean over them of what each knows.
+fn inputs(drops: &[StudyDrop], places: &[usize]) -> Inputs {
+    let (mut mean, mut covariance) = (Shared::zeros(), SMatrix::zeros());
+    for &place in places {
+        let evidence = &drops[place].evidence;
+        mean += Shared::from(evidence.inputs);
+        covariance += SMatrix::from(evidence.inputs_covariance);
+    }
+    let count = places.len() as f64;
+    Inputs {
+        mean: mean / count,
+        covariance: covariance / count,
+    }
+}
+
+/// An estimate of a function that grows with the value.
+fn mapped(estimate: &Estimate, of: impl Fn(f64) -> f64) -> Estimate {
+    let interval68 = estimate.interval68.map(&of);
+    Estimate {
+        value: of(estimate.value),
+        sd: 0.5 * (interval68[1] - interval68[0]),
+        interval68,
+        interval95: estimate.interval95.map(&of),
+    }
+}
+
+/// The speeds at which a curve is given, m/s: its ends, and between them four to an octave, among them 1 m/s.
+fn speeds([slowest, fastest]: [f64; 2]) -> Vec<f64> {
+    const TO_AN_OCTAVE: f64 = 4.0;
+    let step = |speed: f64| TO_AN_OCTAVE * speed.log2();
+    let between = (step(slowest).floor() as i32 + 1..step(fastest).ceil() as i32)
+        .map(|step| 2_f64.powf(f64::from(step) / TO_AN_OCTAVE));
+    let mut speeds = vec![slowest];
+    speeds.extend(between);
+    if fastest > slowest {
+        speeds.push(fastest);
+    }
+    speeds
+}
+
+/// Speeds at equal distances in ln v.
+fn evenly([slowest, fastest]: [f64; 2]) -> Vec<f64> {
+    const POINTS: usize = 9;
+    let share = |point: usize| point as f64 / (POINTS - 1) as f64;
+    (0..POINTS)
+        .map(|point| slowest * (fastest / slowest).powf(share(point)))
+        .collect()
 }

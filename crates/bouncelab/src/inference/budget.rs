@@ -156,31 +156,6 @@ impl Linear {
     }
 }
 
-/// Standard uncertainty of the restitution at each speed by the inputs that other drops of the ball
-/// share. `None` as for [`budget`].
-pub(super) fn shared_sd(posterior: &SampledPosterior, speeds_m_s: &[f64]) -> Option<Vec<f64>> {
-    let candidate = posterior.candidates.first()?;
-    let model = posterior.model(candidate);
-    let vector = candidate.fit.vector.as_slice();
-    let linear = Linear::new(&model, vector)?;
-    speeds_m_s
-        .iter()
-        .map(|&speed_m_s| {
-            let gradient = gradient(&model, vector, |model, vector| {
-                Some(model.point(vector)?.law.at(speed_m_s))
-            })?;
-            let inputs = linear.inputs(&gradient, &model);
-            Some(
-                inputs
-                    .iter()
-                    .map(|(_, variance)| variance)
-                    .sum::<f64>()
-                    .sqrt(),
-            )
-        })
-        .collect()
-}
-
 /// Derivatives of a quantity by the unknowns, by central differences.
 fn gradient(
     model: &Model,

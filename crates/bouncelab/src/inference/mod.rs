@@ -46,6 +46,7 @@ mod answers;
 mod banded;
 mod budget;
 mod candidates;
+mod evidence;
 mod findings;
 mod first_impact;
 mod fit;

@@ -1,6 +1,6 @@
 //! The posterior as a result: estimates and their diagnostics.
 
-use super::budget::{self, Budget};
+use super::budget::Budget;
 use super::candidates::SampledPosterior;
 use super::identify::{Correlations, PriorContraction};
 use super::parameters::{BAND_ENDS, BAND_POINTS, OUTLIER_WEIGHT, THINNING};
@@ -296,13 +296,6 @@ impl Posterior {
                 self.sampled.estimate(THINNING, restitutions)
             })
             .collect()
-    }
-
-    /// What of the standard uncertainty of the restitution at these speeds, m/s, comes from inputs
-    /// that other drops of the ball share (drag law, contact time, air, gravity, mass, diameter), and
-    /// so does not average out over drops. `None` if the fit is not a maximum.
-    pub fn shared_sd(&self, speeds_m_s: &[f64]) -> Option<Vec<f64>> {
-        budget::shared_sd(&self.sampled, speeds_m_s)
     }
 
     /// The most probable drop.
