@@ -610,6 +610,8 @@ class Posterior:
         Time in s and path in m from the release to rest.
     missed_first_impacts : tuple of float or None
         Probabilities that 0, 1, 2, ... impacts went undetected before the first.
+    first_is_other_sound : float
+        Probability that the first impact detected is another sound, or of an earlier drop.
     predictions : tuple of Prediction
         Answers to ``reach=``.
     impacts : tuple of ImpactPosterior
@@ -659,6 +661,7 @@ class Posterior:
     total_time_s: Estimate | None
     total_path_m: Estimate | None
     missed_first_impacts: tuple[float, ...] | None
+    first_is_other_sound: float
     predictions: tuple[Prediction, ...]
     impacts: tuple[ImpactPosterior, ...]
     models: tuple[Model, ...]

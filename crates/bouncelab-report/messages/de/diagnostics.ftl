@@ -179,7 +179,7 @@ diagnostic-prior-input = { $input }: auf { $relative_sd } % bekannt.
 diagnostic-prior-height = Fallhöhe: gemessen, { $height_m } ± { $sd_m }.
 diagnostic-prior-height-flat = Fallhöhe: beliebig (im Logarithmus gleich verteilt).
 diagnostic-prior-release = Loslassen: gemessen, { $release_s } s ± { $sd_s }.
-diagnostic-prior-missed = Jeder weitere Aufprall, der am Anfang fehlt: halb so wahrscheinlich; wo es still war, tausendmal unwahrscheinlicher. In einer Liste von Zeiten zeigt nichts, ob Aufpralle fehlen.
+diagnostic-prior-missed = Jeder weitere Aufprall, der am Anfang fehlt: halb so wahrscheinlich; wo es still war, so gut wie unmöglich. In einer Liste von Zeiten zeigt nichts, ob Aufpralle fehlen.
 
 diagnostic-rule-needs-drops = Die Regel verlangt { $needed } Versuche, hier { $given ->
     [0] ist es keiner

@@ -182,7 +182,7 @@ diagnostic-prior-input = { $input }: known to { $relative_sd } %.
 diagnostic-prior-height = Drop height: measured, { $height_m } ± { $sd_m }.
 diagnostic-prior-height-flat = Drop height: uniform in its logarithm.
 diagnostic-prior-release = Release: measured, { $release_s } s ± { $sd_s }.
-diagnostic-prior-missed = Each further impact missed at the start: half as likely; where the sound was quiet, a thousand times less likely. In a list of times nothing shows whether impacts were missed.
+diagnostic-prior-missed = Each further impact missed at the start: half as likely; where the sound was quiet, next to impossible. In a list of times nothing shows whether impacts were missed.
 
 diagnostic-rule-needs-drops = The rule needs { $needed } drops, and there { $given ->
     [0] are none

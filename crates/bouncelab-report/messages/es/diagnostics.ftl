@@ -168,7 +168,7 @@ diagnostic-prior-input = { $input }: valor conocido al { $relative_sd } %.
 diagnostic-prior-height = Altura de caída: medida, { $height_m } ± { $sd_m }.
 diagnostic-prior-height-flat = Altura de caída: uniforme en su logaritmo.
 diagnostic-prior-release = Suelta: medida, { $release_s } s ± { $sd_s }.
-diagnostic-prior-missed = Cada impacto más perdido al principio: la mitad de probable; donde había silencio, mil veces menos probable. En una lista de tiempos nada muestra si se perdieron impactos.
+diagnostic-prior-missed = Cada impacto más perdido al principio: la mitad de probable; donde había silencio, casi imposible. En una lista de tiempos nada muestra si se perdieron impactos.
 
 diagnostic-rule-needs-drops = La regla necesita { $needed } ensayos, y hay { $given }.
 diagnostic-rule-needs-reference-drops = La regla necesita { $needed } ensayos sobre la referencia, y hay { $given }.

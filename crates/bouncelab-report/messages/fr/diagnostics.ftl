@@ -168,7 +168,7 @@ diagnostic-prior-input = { $input } : connu à { $relative_sd } % près.
 diagnostic-prior-height = Hauteur de chute : mesurée, { $height_m } ± { $sd_m }.
 diagnostic-prior-height-flat = Hauteur de chute : uniforme en logarithme.
 diagnostic-prior-release = Lâcher : mesuré, { $release_s } s ± { $sd_s }.
-diagnostic-prior-missed = Chaque impact de plus manqué au début : deux fois moins probable ; là où c’était silencieux, mille fois moins probable. Dans une liste de temps, rien ne montre si des impacts ont été manqués.
+diagnostic-prior-missed = Chaque impact de plus manqué au début : deux fois moins probable ; là où c’était silencieux, presque impossible. Dans une liste de temps, rien ne montre si des impacts ont été manqués.
 
 diagnostic-rule-needs-drops = La règle demande { $needed } essais, et il y en a { $given }.
 diagnostic-rule-needs-reference-drops = La règle demande { $needed } essais sur la référence, et il y en a { $given }.

@@ -74,8 +74,8 @@ pub(super) struct SampledPosterior {
     pub(super) contradictions: Vec<Diagnostic>,
     /// What was left out before the first impact, as another sound.
     pub(super) left_out: Vec<Diagnostic>,
-    /// See [`Self::ln_odd_second`].
-    ln_odd_second: f64,
+    /// What is added to the evidence of the candidates with the first impact, since the second may be odd.
+    pub(super) ln_odd_second: f64,
     pub(super) draws: Pool,
 }
 
@@ -163,7 +163,7 @@ impl SampledPosterior {
         };
         posterior.keep_likely_numberings();
         posterior.candidates = posterior.fitted();
-        posterior.weigh_odd_second();
+        posterior.weigh_first_impact();
         if posterior.candidates.is_empty() {
             return Err(Error::CannotInfer(InferenceFailure::NoModelFits));
         }
@@ -221,16 +221,6 @@ impl SampledPosterior {
             missed_first,
             &self.priors,
         )
-    }
-
-    /// Adds to the candidates with the first impact that the second may be odd.
-    fn weigh_odd_second(&mut self) {
-        self.ln_odd_second = self.ln_odd_second();
-        for index in 0..self.candidates.len() {
-            if !self.leaves_out_first(&self.candidates[index]) {
-                self.candidates[index].log_evidence += self.ln_odd_second;
-            }
-        }
     }
 
     /// Removes numberings that are unlikely under the first law, which represents all. Of those with the first impact the

@@ -7,12 +7,11 @@
 use super::candidates::{Candidate, SampledPosterior};
 use super::observed::Observed;
 use super::parameters::{
-    DOUBTFUL_FIRST, LN_INTERVALS, LN_ODD_SECOND, LN_OTHER_SOUND, MAX_ODD_SECOND, MIN_REST,
-    ODD_SECOND_FALL, OTHER_SOUND_ALIKE,
+    DOUBTFUL_FIRST, LN_INTERVALS, LN_OTHER_SOUND, MAX_ODD_SECOND, MIN_REST, ODD_SECOND_FALL,
+    OTHER_SOUND_ALIKE,
 };
 use super::residual::missed_before_s;
 use crate::diagnostic::{Code, Diagnostic};
-use crate::stats::softplus;
 
 impl Observed {
     /// The same without the first impact, if enough remain: that is another sound.
@@ -35,15 +34,10 @@ impl Observed {
         let interval_s = self.impacts[0].time_s - other.time_s;
         // The likelihood of a time that is not left out leaves out this constant.
         let normal = 0.5 * (2.0 * std::f64::consts::PI).ln();
-        self.ln_other_sound_here() - (LN_INTERVALS * interval_s).ln() + normal
-    }
-
-    /// Logarithm of the probability that the sound is no impact of the drop, given how alike it sounds. Of the other sounds
-    /// some are impacts of the same ball.
-    fn ln_other_sound_here(&self) -> f64 {
-        let ln_alike = self.other_sound.and_then(|other| other.ln_alike);
-        let unlike = (1.0 - OTHER_SOUND_ALIKE) * (-ln_alike.unwrap_or(0.0)).exp();
-        LN_OTHER_SOUND + (OTHER_SOUND_ALIKE + unlike).ln()
+        // Of the other sounds some are impacts of the same ball.
+        let unlike = (1.0 - OTHER_SOUND_ALIKE) * (-other.ln_alike.unwrap_or(0.0)).exp();
+        LN_OTHER_SOUND + (OTHER_SOUND_ALIKE + unlike).ln() - (LN_INTERVALS * interval_s).ln()
+            + normal
     }
 }
 
@@ -65,26 +59,36 @@ impl SampledPosterior {
         others.map(|candidate| candidate.weight).sum()
     }
 
-    /// What the evidence of the candidates with the first impact lacks, as a logarithm: it may belong to the drop although its
-    /// flight fits badly, since the second impact was odd.
-    ///
-    /// An odd second impact makes any first flight as probable, up to a certain difference from the one expected. With the
-    /// evidence S without the first impact, and that of the same times with an odd impact, S r, the evidence A becomes A + S r.
-    pub(super) fn ln_odd_second(&self) -> f64 {
+    /// Removes the candidates that leave out the first impact if they are too improbable for an interval of 95 %. Otherwise
+    /// makes them as probable as the others: how often first flights are odd is not known well enough for odds. An odd second
+    /// impact explains a first flight up to a certain difference from the one expected.
+    pub(super) fn weigh_first_impact(&mut self) {
         let (others, with_first): (Vec<&Candidate>, Vec<&Candidate>) = self
             .candidates
             .iter()
             .partition(|it| self.leaves_out_first(it));
+        if with_first.is_empty() {
+            return;
+        }
+        let ln_odds = ln_sum(&others) - ln_sum(&with_first);
         let best = others
-            .iter()
+            .into_iter()
             .max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence));
-        let Some(off) = best.and_then(|best| self.off_expected_first(best)) else {
-            return 0.0;
-        };
-        let observed = &self.numberings[best.map_or(0, |best| best.numbering)].observed;
-        let too_far = (off.abs() - MAX_ODD_SECOND).max(0.0) / ODD_SECOND_FALL;
-        let ratio = LN_ODD_SECOND - observed.ln_other_sound_here() - too_far;
-        softplus(ln_sum(&others) + ratio - ln_sum(&with_first))
+        let too_far = best
+            .filter(|_| ln_odds > (DOUBTFUL_FIRST / (1.0 - DOUBTFUL_FIRST)).ln())
+            .and_then(|best| self.off_expected_first(best))
+            .map(|off| (off.abs() - MAX_ODD_SECOND).max(0.0) / ODD_SECOND_FALL);
+        let mut candidates = std::mem::take(&mut self.candidates);
+        if let Some(too_far) = too_far {
+            self.ln_odd_second = ln_odds - too_far;
+            let belonging = candidates
+                .iter_mut()
+                .filter(|it| !self.leaves_out_first(it));
+            belonging.for_each(|candidate| candidate.log_evidence += self.ln_odd_second);
+        } else {
+            candidates.retain(|it| !self.leaves_out_first(it));
+        }
+        self.candidates = candidates;
     }
 
     /// Logarithm of the first flight over that which a candidate without it expects there.

@@ -199,17 +199,29 @@ pub(super) const ALLOWED_BALL: f64 = 3.0;
 /// Logarithm of the prior probability of one more impact before the first one detected: half as likely.
 pub(super) const LN_MISSED_FIRST: f64 = -LN_2;
 
-/// Logarithm of the probability that an impact is not heard where the recording is quiet, such as one on a soft place: one
-/// in a thousand.
-pub(super) const LN_UNHEARD: f64 = -7.0;
+/// Logarithm of the probability that an impact as loud as the first one detected is not heard where nothing is nearly as
+/// loud: one in a hundred thousand.
+pub(super) const LN_UNHEARD: f64 = -11.5;
+
+/// Logarithm of the probability that a height or a release is stated wrongly: one in ten.
+pub(super) const LN_STATED_WRONG: f64 = -2.3;
+
+/// Logarithm of the range of the logarithm of heights that are stated wrongly: anything from 2 cm to 10 m.
+pub(super) const LN_HEIGHTS: f64 = 1.8;
+
+/// Logarithm of the range of releases that are stated wrongly, in s: anything within ten seconds.
+pub(super) const LN_RELEASES: f64 = 2.3;
+
+/// An impact so shortly before a sound may be that sound, s: its time is known by a fit alone.
+pub(super) const SAME_SOUND_S: f64 = 0.05;
 
 /// Maximum number of impacts missed before the first one detected. They are the loudest.
 pub(super) const MAX_MISSED_FIRST: usize = 12;
 
 // ---- Whether the first impact belongs to the drop.
 
-/// Logarithm of the probability that the first impact detected is another sound: one in a hundred.
-pub(super) const LN_OTHER_SOUND: f64 = -4.6;
+/// Logarithm of the probability that the first impact detected is another sound: one in ten.
+pub(super) const LN_OTHER_SOUND: f64 = -2.3;
 
 /// Share of these sounds that are impacts of the same ball, such as of an earlier drop, and sound like it.
 pub(super) const OTHER_SOUND_ALIKE: f64 = 0.5;
@@ -217,10 +229,6 @@ pub(super) const OTHER_SOUND_ALIKE: f64 = 0.5;
 /// Logarithm of the range of their times before the next impact, of which all are equally likely on a logarithmic scale:
 /// those of 0.04 to 2 s are taken for flights.
 pub(super) const LN_INTERVALS: f64 = 3.9;
-
-/// Logarithm of the probability that the second impact is odd: half of that of another sound, so that where a first flight
-/// fits badly both are in the interval of 95 %.
-pub(super) const LN_ODD_SECOND: f64 = -5.3;
 
 /// Difference of the logarithm of the first flight from the expected one up to which an odd impact explains it, and the one
 /// further in which that is less probable by a factor e.
@@ -230,7 +238,8 @@ pub(super) const ODD_SECOND_FALL: f64 = 0.04;
 /// Least number of impacts after another sound: three show a restitution.
 pub(super) const MIN_REST: usize = 3;
 
-/// From this probability on another sound is in the interval of 95 % and reported, and from the second it is left out.
+/// A first impact that is another sound with less than this probability is not doubted: an interval of 95 % does not reach to
+/// it. With more than the second it is left out.
 pub(super) const DOUBTFUL_FIRST: f64 = 0.025;
 pub(super) const OTHER_FIRST: f64 = 0.99;
 
@@ -347,9 +356,6 @@ pub(super) const OUTLIER_WEIGHT: f64 = 0.25;
 
 /// Fewer impacts than this leave most to the priors.
 pub(super) const FEW_IMPACTS: usize = 5;
-
-/// More standard deviations than this between what was stated and the times are not chance.
-pub(super) const CONTRADICTION_SDS: f64 = 3.5;
 
 /// A scatter larger than the typical one by more than this factor contradicts its prior.
 pub(super) const LARGE_SCATTER_FACTOR: f64 = 2.0;

@@ -1,11 +1,12 @@
 //! What was stated of the fall, held against the times and the sound.
 //!
-//! A height or a release that is wrong either leaves a gap to the first flight, or needs impacts before the first one
-//! detected. These were faster and so as loud: where the recording was quiet, there were none.
+//! A height or a release that is wrong either fits the first flight badly, or needs impacts before the first one detected.
+//! These were faster and so as loud: where the recording was quiet, there were none. What was stated is left out if the times
+//! are more probable when it is wrong.
 
 use super::candidates::{Candidate, SampledPosterior};
-use super::parameters::{CONTRADICTION_SDS, UNKNOWN};
-use super::priors::{Measured, Priors};
+use super::parameters::{LN_HEIGHTS, LN_RELEASES, LN_STATED_WRONG, SAME_SOUND_S, UNKNOWN};
+use super::priors::Priors;
 use super::residual::{InitialFall, missed_before_s};
 use crate::ball::Ball;
 use crate::diagnostic::{Code, Diagnostic};
@@ -27,46 +28,42 @@ impl SampledPosterior {
     ) -> Result<Self> {
         let fitted =
             |priors: &Priors| Self::fitted_only(impacts, ball, environment, contact_time_s, priors);
-        let mut posterior = fitted(priors)?;
-        for fewer in with_less_stated(priors) {
-            if !posterior.contradicts_what_was_stated() {
-                break;
+        let mut likeliest = fitted(priors)?;
+        let mut highest = likeliest.log_evidence();
+        for (fewer, ln_prior) in with_less_stated(priors) {
+            let other = fitted(&fewer)?;
+            let log_evidence = other.log_evidence() + ln_prior;
+            if log_evidence > highest {
+                (likeliest, highest) = (other, log_evidence);
             }
-            posterior = fitted(&fewer)?;
         }
-        posterior.contradictions = posterior.contradictions_to(priors);
-        Ok(posterior)
+        likeliest.contradictions = likeliest.contradictions_to(priors);
+        Ok(likeliest)
     }
 
     /// Number of impacts before the first one detected that a candidate needs in a time in which none was heard.
     pub(super) fn unheard(&self, candidate: &Candidate) -> usize {
         let model = self.model(candidate);
-        let quiet_s = model.observed.impacts[0].quiet_before_s;
+        let first = &model.observed.impacts[0];
+        // If it is another sound, the time before that was as quiet.
+        let first_heard = model.observed.other_sound.as_ref().unwrap_or(first);
+        let since_s = first.time_s - first_heard.time_s;
         let unheard = |quiet_s: f64| {
             let point = model.point(candidate.fit.vector.as_slice())?;
             let table = model.table(&point)?;
             let before_s = missed_before_s(&table, &point, candidate.missed_first)?;
-            Some(before_s.filter(|before_s| *before_s < quiet_s).count())
+            let quiet_s = since_s + SAME_SOUND_S..since_s + quiet_s;
+            Some(
+                before_s
+                    .filter(|before_s| quiet_s.contains(before_s))
+                    .count(),
+            )
         };
+        let quiet_s = first_heard.quiet_before_s;
         quiet_s
             .filter(|_| candidate.missed_first > 0)
             .and_then(unheard)
             .unwrap_or(0)
-    }
-
-    /// Whether even the most probable number of missed impacts needs unheard ones, or leaves a gap between what was stated
-    /// and the first flight. The gap shows in the first innovations, or as a height far from the stated one.
-    fn contradicts_what_was_stated(&self) -> bool {
-        let candidate = &self.candidates[0];
-        let first = self.innovations().into_iter().filter(|it| it.impact == 0);
-        let gap = first.map(|it| it.standardised.abs()).fold(0.0, f64::max);
-        let model = self.model(candidate);
-        let height_m = model
-            .point(candidate.fit.vector.as_slice())
-            .and_then(|point| model.drop_height_m(&point));
-        let off = |stated: Measured| Some(((height_m? - stated.value) / stated.sd).abs());
-        let off = self.priors.drop_height_m.and_then(off).unwrap_or(0.0);
-        self.unheard(candidate) > 0 || off.max(gap) > CONTRADICTION_SDS
     }
 
     /// A diagnostic for the height and for the release, if it was stated and is left out here.
@@ -107,20 +104,35 @@ impl SampledPosterior {
     }
 }
 
-/// The same priors without the height, without the release, and without both, as far as they are stated. A height
-/// determines an unknown gravity, so that nothing contradicts it.
-fn with_less_stated(priors: &Priors) -> Vec<Priors> {
+/// The same priors without the height, without the release, and without both, as far as they are stated; each with the
+/// logarithm of its prior probability, and of the density of a wrong number, but for the constants that the likelihood of one
+/// that is used leaves out. A height determines an unknown gravity, so that nothing contradicts it.
+fn with_less_stated(priors: &Priors) -> Vec<(Priors, f64)> {
+    if priors.gravity_rel_sd >= UNKNOWN {
+        return Vec::new();
+    }
+    let normal = 0.5 * (2.0 * std::f64::consts::PI).ln();
+    let wrong = |ln_range: f64| LN_STATED_WRONG - ln_range + normal;
     let (height, release) = (priors.drop_height_m, priors.release_s);
-    let [without_height, without_release, without_both] =
-        [(None, release), (height, None), (None, None)].map(|(drop_height_m, release_s)| Priors {
+    let (without_height, without_release) = (wrong(LN_HEIGHTS), wrong(LN_RELEASES));
+    let fewer = [
+        (None, release, without_height),
+        (height, None, without_release),
+        (None, None, without_height + without_release),
+    ];
+    let without = |(drop_height_m, release_s, ln_prior): (_, _, f64)| {
+        let priors = Priors {
             drop_height_m,
             release_s,
             ..priors.clone()
-        });
-    match (height, release) {
-        _ if priors.gravity_rel_sd >= UNKNOWN => Vec::new(),
-        (Some(_), Some(_)) => vec![without_height, without_release, without_both],
-        (None, None) => Vec::new(),
-        _ => vec![without_both],
-    }
+        };
+        (priors, ln_prior)
+    };
+    let used = match (height, release) {
+        (None, None) => 0..0,
+        (Some(_), None) => 0..1,
+        (None, Some(_)) => 1..2,
+        (Some(_), Some(_)) => 0..3,
+    };
+    fewer[used].iter().copied().map(without).collect()
 }
