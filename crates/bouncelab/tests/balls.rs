@@ -57,8 +57,8 @@ fn kind_of(preset: &Preset) -> &'static str {
     match preset.name {
         "table-tennis-40" | "table-tennis-38" => "table-tennis",
         "pickleball" => "light-plastic",
-        "golf" | "marble" | "steel" | "rubber" => "hard",
-        "tennis" | "padel" | "squash" | "racquetball" => "hollow-rubber",
+        "golf" | "marble" | "steel" => "hard",
+        "tennis" | "padel" | "squash" | "racquetball" | "rubber" => "soft-rubber",
         _ => "inflated",
     }
 }
@@ -97,7 +97,7 @@ fn a_tennis_ball_from_high_up_is_not_taken_for_a_table_tennis_ball() -> Result<(
         panic!("{:?}", drop.diagnostics);
     };
     assert!(
-        balls.split(", ").any(|ball| ball == "hollow-rubber"),
+        balls.split(", ").any(|ball| ball == "soft-rubber"),
         "{balls}"
     );
     Ok(())

@@ -21,10 +21,10 @@ const KINDS: [PossibleBall; 5] = [
     kind("table-tennis", [2.7, 40.0], 1e-3, [0.05, 0.02, 0.05, 0.5]),
     // Pickleball, floorball, practice balls of golf.
     kind("light-plastic", [23.0, 73.0], 2e-3, [0.2, 0.1, 0.3, 0.7]),
-    // Golf, steel, glass, wood, solid rubber.
+    // Golf, steel, glass, wood.
     kind("hard", [46.0, 40.0], 4e-4, [0.4, 0.2, 0.1, 1.2]),
-    // Tennis, padel, squash, racquetball.
-    kind("hollow-rubber", [50.0, 60.0], 4.5e-3, [0.15, 0.1, 0.2, 0.4]),
+    // Tennis, padel, squash, racquetball, solid rubber.
+    kind("soft-rubber", [50.0, 60.0], 4.5e-3, [0.15, 0.1, 0.2, 0.4]),
     // Basketball, football, futsal, volleyball, handball.
     kind("inflated", [450.0, 220.0], 1.2e-2, [0.3, 0.1, 0.15, 0.4]),
 ];
