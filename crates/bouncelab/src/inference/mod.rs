@@ -6,7 +6,7 @@
 //! scatter. Here a physical model of the whole drop explains the times: a fall from a height, air
 //! that drags, impacts that obey a restitution law but for scatter, and times with errors. The
 //! unknowns have priors with the usual knowledge of balls and ambient conditions ([`Priors`]), and the
-//! answer is the posterior over all of them and over all laws that may be true.
+//! answer is the posterior over all of them, and over the kinds of ball if none was stated.
 //!
 //! ```
 //! use bouncelab::ball;
@@ -35,10 +35,10 @@
 //!
 //! # How it is done
 //!
-//! For each restitution law, drag law and number of impacts missed before the first one detected, the
+//! For each kind of ball that it may be, restitution law and number of impacts missed before the first one detected, the
 //! best fit is found by quasi-Newton search, and the posterior around it by importance sampling;
 //! the Pareto shape of the weights shows whether that worked. The evidence of each model is its
-//! weight in the average. The likelihood is that of two kinds of noise, errors of the times and
+//! weight in the average, but each kind of ball that the times allow has the same, and intervals cover those of each. The likelihood is that of two kinds of noise, errors of the times and
 //! scatter of the impacts, with their banded covariance and the Jacobian from times to speeds, in
 //! one pass over the impacts.
 
