@@ -26,7 +26,7 @@ test('a slider changes the words and the address, and the address the sliders', 
   await page.getByLabel('Where').selectOption('moon');
   await page.getByText('There is no air, so there is no terminal speed.').waitFor();
   expect(await page.getByLabel('Air pressure').isDisabled()).toBe(true);
-  await page.goto(`${here.url}#simulate?e=0.8&world=mars`);
+  await page.goto(`${here.url}#simulate?e=0.8&body=mars`);
   await expect.poll(() => page.getByLabel(/^Restitution/).inputValue()).toBe('0.8');
   await expect.poll(() => page.getByLabel('Where').inputValue()).toBe('mars');
 });

@@ -49,14 +49,10 @@ pub(crate) struct PhysicsArguments {
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time, help_heading = "Ball")]
     contact_time: Option<f64>,
 
-    /// Drag law: none (as if there were no air), constant:0.4, or a sphere law such as clift-grace-weber or morrison
-    #[arg(
-        long,
-        value_name = "LAW",
-        default_value = "clift-grace-weber",
-        help_heading = "Air"
-    )]
-    drag: String,
+    /// Drag law: none (as if there were no air), constant:0.4, or a sphere law such as morrison [default:
+    /// clift-grace-weber]
+    #[arg(long, value_name = "LAW", help_heading = "Air")]
+    drag: Option<String>,
     /// Temperature of the air, as in 20C
     #[arg(long, value_parser = units::temperature, allow_hyphen_values = true, help_heading = "Air")]
     temperature: Option<f64>,
@@ -142,12 +138,11 @@ pub(crate) struct InferenceArguments {
     /// The first impact detected is the first impact of the drop
     #[arg(long, alias = "first-heard")]
     first_detected: bool,
-    /// Target number of independent draws of the posterior
-    #[arg(long, value_name = "N", default_value_t = SamplerConfig::default().draws)]
-    draws: usize,
-    /// Seed of the random numbers of the inference
-    #[arg(long, value_name = "N", default_value_t = SamplerConfig::default().seed)]
-    seed: u64,
+    #[arg(long, value_name = "N", help = draws_help())]
+    draws: Option<usize>,
+    /// Seed of the random numbers of the inference [default: 1]
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
     /// Skip the inference, for speed
     #[arg(long, conflicts_with_all = ["reach", "at_speed", "infer"])]
     no_inference: bool,
@@ -255,14 +250,14 @@ impl PhysicsArguments {
                 contact_time_s: self.contact_time,
             },
             air: AirSettings {
-                drag: Some(self.drag.clone()),
+                drag: self.drag.clone(),
                 temperature_k: self.temperature,
                 pressure_pa: self.pressure,
                 relative_humidity: self.humidity,
                 density_kg_m3: self.air_density,
                 viscosity_pa_s: self.air_viscosity,
-                buoyancy: Some(!self.no_buoyancy),
-                added_mass: Some(!self.no_added_mass),
+                buoyancy: self.no_buoyancy.then_some(false),
+                added_mass: self.no_added_mass.then_some(false),
             },
             gravity: GravitySettings {
                 gravity_m_s2: self.gravity,
@@ -305,7 +300,7 @@ impl InferenceArguments {
             height_sd_m: self.height_sd,
             release_s: self.release,
             release_sd_s: self.release_sd,
-            first_detected: Some(self.first_detected),
+            first_detected: self.first_detected.then_some(true),
         }
     }
 
@@ -320,16 +315,26 @@ impl InferenceArguments {
             }
         }
         Ok(InferenceSettings {
-            enabled: Some(!self.no_inference),
-            restitution_laws: Some(self.law.clone()),
-            infer: Some(self.infer.clone()),
-            known: Some(known),
+            enabled: self.no_inference.then_some(false),
+            restitution_laws: stated(&self.law),
+            infer: stated(&self.infer),
+            known: Some(known).filter(|known| !known.is_empty()),
             at_speed_m_s: self.at_speed,
-            reach: Some(self.reach.clone()),
-            draws: Some(self.draws),
-            seed: Some(self.seed),
+            reach: stated(&self.reach),
+            draws: self.draws,
+            seed: self.seed,
         })
     }
+}
+
+/// The values of an argument, if it was given.
+fn stated<T: Clone>(values: &[T]) -> Option<Vec<T>> {
+    Some(values.to_vec()).filter(|values| !values.is_empty())
+}
+
+fn draws_help() -> String {
+    let usual = SamplerConfig::default().draws;
+    format!("Target number of independent draws of the posterior [default: {usual}]")
 }
 
 fn laws_help() -> String {

@@ -82,7 +82,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Format::Json => {
             let mut assumptions = physics.assumptions.clone();
             translator().complete_each(&mut assumptions);
-            print_json(&Document::new(&runs, &physics.options, assumptions))
+            print_json(&Document::new(&runs, &physics.options, &assumptions))
         }
         Format::Csv => print_data(columns::bounces(&runs).csv(Formulas::Guarded)),
     }

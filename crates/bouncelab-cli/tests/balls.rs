@@ -17,7 +17,7 @@ use predicates::str::contains;
 use serde_json::Value;
 use tempfile::TempDir;
 
-const DRAWS: usize = 200;
+const DRAWS: usize = 1000;
 
 fn bouncelab() -> Command {
     Command::cargo_bin("bouncelab").unwrap()

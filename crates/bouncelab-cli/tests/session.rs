@@ -445,6 +445,37 @@ fn what_was_assumed_is_said_of_the_recordings_that_it_concerns() {
     ));
 }
 
+/// By what a session says of one recording: the ball, and the drag law of its settings.
+#[test]
+fn settings_of_the_session_file_hold_unless_stated_elsewhere() {
+    let file =
+        "[settings.air]\ndrag = \"none\"\n[settings.ball]\nkind = \"tennis\"\nmass_kg = 0.058\n";
+    let contact_time_s = |arguments: &[&str], notes: &str| {
+        let workspace = Workspace::new(&[("session.toml", &[file, notes].concat())]);
+        workspace.record("a.wav", 1);
+        let mut session = workspace.session();
+        session.arg("--no-inference").args(arguments);
+        let output = session.assert().success().get_output().stdout.clone();
+        String::from_utf8(output).unwrap()
+    };
+    let of_file = contact_time_s(&[], "");
+    assert!(of_file.contains("for 5.00 ms"), "{of_file}");
+    let of_argument = contact_time_s(&["--ball", "basketball"], "");
+    assert!(of_argument.contains("for 15.0 ms"), "{of_argument}");
+    let of_notes = contact_time_s(&["--ball", "basketball"], "[all]\nball = \"football\"\n");
+    assert!(of_notes.contains("for 10.0 ms"), "{of_notes}");
+
+    let refused = |settings: &str, problem: &str| {
+        let workspace = Workspace::new(&[("session.toml", settings)]);
+        workspace.record("a.wav", 1);
+        let refused = workspace.session().assert().code(2);
+        refused.stderr(contains(problem.to_owned()));
+    };
+    refused("[settings.ball]\nkind = \"steel:10\"\n", "10 mm?");
+    refused("[settings.edits]\nexclude_s = [1.0]\n", "[settings.edits]");
+    refused("[settings.ball]\nkind = \"pingpogn\"\n", "table-tennis-40");
+}
+
 /// A field of any name may be noted, so a slip would make one more and lose what was meant.
 #[test]
 fn slips_of_the_pen_are_questioned() {

@@ -64,7 +64,7 @@ mod _core {
     #[pymodule_export]
     use super::physics::{
         air, balls, code_names, drag_coefficient, drag_laws, falls, flights, gravity_m_s2,
-        languages, message, require_known, restitution_laws, terminal_speed_m_s,
+        languages, message, require_known, restitution_laws, setting_names, terminal_speed_m_s,
     };
     #[pymodule_export]
     use super::recording::Recording;

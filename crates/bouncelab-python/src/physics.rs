@@ -1,5 +1,7 @@
 //! What do the formulas give?
 
+use std::collections::BTreeMap;
+
 use bouncelab::air::{Air, Conditions};
 use bouncelab::ball;
 use bouncelab::diagnostic::{Code, Diagnostic};
@@ -7,11 +9,13 @@ use bouncelab::drag::DragLaw;
 use bouncelab::flight::{Fall, Flight};
 use bouncelab::gravity;
 use bouncelab::restitution::LawKind;
+use bouncelab::settings::Settings;
 use bouncelab_report::data_table::{CellOf, DataTable, Definition};
 use bouncelab_report::define_columns;
 use bouncelab_report::messages::{self, Translator};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use serde_json::Value;
 
 use crate::analyzer::Analyzer;
 use crate::failure::{Failure, Result};
@@ -77,6 +81,17 @@ pub(crate) fn balls() -> Vec<(&'static str, &'static str, f64, f64, f64, &'stati
             )
         })
         .collect()
+}
+
+/// The names of all settings, by group.
+#[pyfunction]
+pub(crate) fn setting_names() -> Result<BTreeMap<String, Vec<String>>> {
+    let groups = serde_json::to_value(Settings::default())?;
+    let groups: BTreeMap<String, BTreeMap<String, Value>> = serde_json::from_value(groups)?;
+    let names = groups.into_iter();
+    Ok(names
+        .map(|(group, settings)| (group, settings.into_keys().collect()))
+        .collect())
 }
 
 /// The drag laws with the greatest Reynolds number of each.

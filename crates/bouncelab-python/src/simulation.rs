@@ -123,7 +123,11 @@ impl Simulation {
         let setup = &self.analyzer.setup;
         let mut assumptions = setup.assumptions.clone();
         translator(language)?.complete_each(&mut assumptions);
-        let document = Document::new(std::slice::from_ref(&self.run), &setup.options, assumptions);
+        let document = Document::new(
+            std::slice::from_ref(&self.run),
+            &setup.options,
+            &assumptions,
+        );
         Ok(serde_json::to_string(&document)?)
     }
 

@@ -11,6 +11,8 @@ import pytest
 from conftest import TIMES_S
 
 import bouncelab as bl
+from bouncelab._core import setting_names
+from bouncelab._settings import GROUPS
 from bouncelab._analyze import as_samples
 
 
@@ -91,12 +93,27 @@ def test_channels_of_an_array_are_those_of_its_file(sound: bl.Sound, tmp_path: P
     assert from_array.drops == from_file.drops
 
 
+def test_options_are_the_settings_of_the_science() -> None:
+    """Names and groups are those of `Settings` in Rust, but for what Python states in another way."""
+    options = {group: set(names) for group, names in GROUPS.items()}
+    options["ball"] = options["ball"] - {"ball"} | {"kind"}
+    options["air"] -= {"air"}
+    options["inference"] |= {"enabled"}
+    assert options == {group: set(names) for group, names in setting_names().items()}
+
+
+def test_air_may_be_a_density() -> None:
+    by_object = bl.analyze_times(TIMES_S, draws=None, air=bl.Air(density_kg_m3=1.1, viscosity_pa_s=1.8e-5))
+    by_number = bl.analyze_times(TIMES_S, draws=None, density_kg_m3=1.1, viscosity_pa_s=1.8e-5)
+    assert by_object.settings == by_number.settings
+
+
 def test_settings_reach_the_physics() -> None:
     known = dict(mass_kg=0.0025, diameter_m=0.038, gravity_m_s2=9.81, drag="constant:0.4", contact_time_s=5e-4)
     used = bl.analyze_times(TIMES_S, draws=None, air=bl.air(300.0), **known).settings
-    assert (used.ball_mass_kg, used.ball_diameter_m, used.gravity_m_s2) == (0.0025, 0.038, 9.81)
-    assert (used.drag, used.contact_time_s) == ("constant:0.4", 5e-4)
-    assert used.air_density_kg_m3 == bl.air(300.0).density_kg_m3
+    assert (used.ball.mass_kg, used.ball.diameter_m, used.gravity.gravity_m_s2) == (0.0025, 0.038, 9.81)
+    assert (used.air.drag, used.ball.contact_time_s) == ("constant:0.4", 5e-4)
+    assert used.air.density_kg_m3 == bl.air(300.0).density_kg_m3
     assert used.assumptions == ()
 
 

@@ -183,7 +183,11 @@ fn stated(settings: &Settings) -> serde_json::Result<Value> {
     Ok(value)
 }
 
-fn as_stated<S: Serializer>(settings: &Settings, serializer: S) -> Result<S::Ok, S::Error> {
+/// Settings without those that were not stated.
+pub(crate) fn as_stated<S: Serializer>(
+    settings: &Settings,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     let stated = stated(settings).map_err(ser::Error::custom)?;
     stated.serialize(serializer)
 }

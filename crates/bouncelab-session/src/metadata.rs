@@ -3,7 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
-use bouncelab::settings::{AirSettings, BallSettings, DropSettings, Settings, Setup, plausibility};
+use bouncelab::settings::{
+    AirSettings, BallSettings, DropSettings, EditSettings, Settings, Setup, plausibility,
+};
 use bouncelab::{Diagnostic, Options, ball};
 use bouncelab_report::groups::some_of;
 use bouncelab_report::messages::Translator;
@@ -109,27 +111,32 @@ impl Metadata {
     }
 }
 
-/// What holds for all recordings, with what was noted of one, which goes before.
-fn completed(noted: &Settings, of_all: &Settings) -> Settings {
-    let mut both = of_all.clone();
-    let (ball, air, drop) = (&mut both.ball, &mut both.air, &mut both.drop);
-    if noted.ball.kind.is_some() {
-        ball.kind.clone_from(&noted.ball.kind);
-        ball.mass_kg = None;
-        ball.diameter_m = None;
+/// What is stated first, and of the rest what is stated second.
+///
+/// A ball replaces a ball, whose mass and diameter are not its own; and the uncertainty of one height is not that of
+/// another.
+fn completed(first: &Settings, second: &Settings) -> Settings {
+    let mut rest = second.clone();
+    if first.ball.kind.is_some() {
+        (rest.ball.kind, rest.ball.mass_kg, rest.ball.diameter_m) = (None, None, None);
     }
-    ball.mass_kg = noted.ball.mass_kg.or(ball.mass_kg);
-    ball.diameter_m = noted.ball.diameter_m.or(ball.diameter_m);
-    ball.contact_time_s = noted.ball.contact_time_s.or(ball.contact_time_s);
-    air.temperature_k = noted.air.temperature_k.or(air.temperature_k);
-    air.pressure_pa = noted.air.pressure_pa.or(air.pressure_pa);
-    air.relative_humidity = noted.air.relative_humidity.or(air.relative_humidity);
-    // The uncertainty of one height is not that of another.
-    let of_all_sd_m = drop.height_sd_m.filter(|_| noted.drop.height_m.is_none());
-    drop.height_sd_m = noted.drop.height_sd_m.or(of_all_sd_m);
-    drop.height_m = noted.drop.height_m.or(drop.height_m);
-    both
+    if first.drop.height_m.is_some() {
+        rest.drop.height_sd_m = None;
+    }
+    let [first, mut both] = [first, &rest].map(|settings| {
+        let plain = serde_json::to_value(settings).expect("settings are plain data");
+        serde_json::from_value::<Groups>(plain).expect("settings are in groups")
+    });
+    for (group, settings) in first {
+        let stated = settings.into_iter().filter(|(_, value)| !value.is_null());
+        both.entry(group).or_default().extend(stated);
+    }
+    let both = serde_json::to_value(both).expect("settings are plain data");
+    serde_json::from_value(both).expect("these are settings")
 }
+
+/// The settings as plain data, by group and name.
+type Groups = BTreeMap<String, BTreeMap<String, serde_json::Value>>;
 
 /// How notes are read.
 #[derive(Clone, Copy)]
@@ -165,10 +172,16 @@ impl MetadataOptions<'_> {
     /// [`Error::Metadata`] with all that is wrong, so that it can be mended at once.
     pub fn read(&self, session: Session) -> Result<Vec<KnownRecording>> {
         let mut problems = Problems::default();
+        self.question_settings(&session.settings, &mut problems);
+        let settings = completed(self.settings, &session.settings);
+        let options = MetadataOptions {
+            settings: &settings,
+            ..*self
+        };
         let mut known: HashMap<BTreeMap<String, String>, Arc<Metadata>> = HashMap::new();
         let all: Vec<Option<Arc<Metadata>>> = (0..session.recordings.len())
             .map(|place| {
-                let (texts, metadata) = self.one(&session, place, &mut problems)?;
+                let (texts, metadata) = options.one(&session, place, &mut problems)?;
                 let shared = known.entry(texts).or_insert_with(|| Arc::new(metadata));
                 Some(Arc::clone(shared))
             })
@@ -187,6 +200,23 @@ impl MetadataOptions<'_> {
             })
         });
         Ok(known.collect())
+    }
+
+    /// Questions what the session file states for all recordings.
+    fn question_settings(&self, settings: &Settings, problems: &mut Problems) {
+        if settings.edits != EditSettings::default() {
+            let problem = "[settings.edits]: impacts are excluded and included in single recordings, by \
+                           'bouncelab analyze'; leave it out";
+            problems.general.insert(problem.to_owned());
+        }
+        let questions = settings.questions().into_iter();
+        for question in questions.filter(|_| !self.allow_implausible) {
+            let question = self.translator.diagnostic(&question);
+            let advice = self.advice.implausible;
+            problems
+                .general
+                .insert(format!("[settings]: {question} {advice}"));
+        }
     }
 
     /// The texts noted of a recording, and what they mean.

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use bouncelab::Plain;
+use bouncelab::settings::Settings;
 use bouncelab_report::file::read_noted;
 use bouncelab_report::rules;
 use serde::Deserialize;
@@ -40,6 +41,7 @@ pub(crate) struct SessionFile {
     pub(crate) pattern: Option<String>,
     pub(crate) notes: Option<PathBuf>,
     pub(crate) folders: Option<Vec<PathBuf>>,
+    pub(crate) settings: Settings,
     pub(crate) all: Notes,
     pub(crate) balls: BTreeMap<String, Notes>,
     pub(crate) recordings: Listed,
@@ -63,6 +65,8 @@ struct Written {
     pattern: Option<String>,
     notes: Option<PathBuf>,
     folders: Option<Vec<PathBuf>>,
+    #[serde(default)]
+    settings: Settings,
     #[serde(default)]
     all: Table,
     #[serde(default)]
@@ -96,6 +100,7 @@ impl SessionFile {
             pattern: written.pattern,
             notes: written.notes,
             folders: written.folders,
+            settings: written.settings,
             recordings: Listed {
                 file: path.to_owned(),
                 rows: recordings.collect::<Result<_>>()?,
@@ -318,6 +323,8 @@ fn text_of(path: &Path, most_mb: u64) -> Result<String> {
 mod tests {
     use std::fs;
 
+    use bouncelab::settings::Input;
+
     use super::*;
 
     #[cfg(unix)]
@@ -347,18 +354,21 @@ mod tests {
 
     #[test]
     fn a_session_file_with_everything() {
-        let text = "title = \"Class 9b\"\npattern = \"{ball}_{}\"\n[all]\ntemperature = 21.5\n\
+        let text = "title = \"Class 9b\"\npattern = \"{ball}_{}\"\n[settings.air]\ndrag = \"morrison\"\n\
+                    [settings.inference]\nknown = { mass = 0.001 }\n[all]\ntemperature = 21.5\n\
                     [balls.red]\nkind = \"table-tennis-40\"\n[recordings.\"a.wav\"]\n\
                     height = \"30.5 cm\"\nlid = true\n";
         let (_folder, path) = written("session.toml", text.as_bytes());
         let file = SessionFile::read(&path).unwrap();
         assert_eq!(file.title.as_deref(), Some("Class 9b"));
+        assert_eq!(file.settings.air.drag.as_deref(), Some("morrison"));
+        assert_eq!(file.settings.inference.known.unwrap()[&Input::Mass], 0.001);
         assert_eq!(file.all["temperature"].text, "21.5");
         assert_eq!(file.balls["red"]["kind"].text, "table-tennis-40");
         let (name, line, notes) = &file.recordings.rows[0];
-        assert_eq!((name.as_str(), *line), ("a.wav", Some(7)));
+        assert_eq!((name.as_str(), *line), ("a.wav", Some(11)));
         assert_eq!(notes["height"].text, "30.5 cm");
-        assert!(notes["height"].said_by.ends_with("session.toml, line 8"));
+        assert!(notes["height"].said_by.ends_with("session.toml, line 12"));
         assert_eq!(notes["lid"].text, "true");
     }
 
@@ -378,6 +388,11 @@ mod tests {
         assert!(
             unknown.contains("titel") && unknown.contains("title"),
             "{unknown}"
+        );
+        let setting = fault("[settings.ball]\nmas_kg = 0.0027\n");
+        assert!(
+            setting.contains("line 2, column 1") && setting.contains("mass_kg"),
+            "{setting}"
         );
         let list = fault("[all]\n\nheight = [1, 2]\n");
         assert!(

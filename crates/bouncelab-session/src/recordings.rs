@@ -5,6 +5,7 @@ use std::fs;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
+use bouncelab::settings::Settings;
 use bouncelab::{Options, Plain};
 use bouncelab_audio::{Error as Unread, Input, SoundFormat, TimesProblem, times};
 use bouncelab_report::groups::some_of;
@@ -93,12 +94,14 @@ impl RecordingFile {
 }
 
 /// All recordings of a session.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Session {
     /// Its title.
     pub title: Option<String>,
     /// The recordings, in the order of their names.
     pub recordings: Vec<RecordingFile>,
+    /// What the session file states for all recordings; what is stated elsewhere goes before.
+    pub settings: Settings,
     /// The balls that the session file describes.
     pub balls: BTreeMap<String, Notes>,
     /// Names that do not match the pattern.
@@ -172,6 +175,7 @@ impl Session {
         let mut session = Self {
             title: file.title,
             recordings,
+            settings: file.settings,
             balls: file.balls,
             unmatched_names: UnmatchedNames::default(),
             pattern: None,

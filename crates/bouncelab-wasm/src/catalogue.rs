@@ -6,7 +6,7 @@ use bouncelab::restitution::LawKind;
 use bouncelab::synth::Voice;
 use bouncelab::{ball, gravity};
 
-use crate::wire::{BallPreset, Body, Catalogue, DragLawEntry};
+use crate::wire::{BallPreset, Body, Catalogue, DragLawEntry, RestitutionLawEntry};
 
 /// Everything that a page can offer.
 ///
@@ -36,7 +36,13 @@ pub fn catalogue() -> bouncelab::Result<Catalogue> {
             })
             .collect(),
         usual_drag_law: DragLaw::CliftGraceWeber.name().to_owned(),
-        restitution_laws: LawKind::ALL.map(|law| law.name().to_owned()).to_vec(),
+        restitution_laws: LawKind::ALL
+            .iter()
+            .map(|law| RestitutionLawEntry {
+                name: law.name().to_owned(),
+                example: law.example().to_owned(),
+            })
+            .collect(),
         voices: Voice::NAMES.map(str::to_owned).to_vec(),
         bodies: bodies(&Air::moist(&air)?),
         usual_air: air,

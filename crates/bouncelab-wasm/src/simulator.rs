@@ -37,7 +37,7 @@ pub fn simulate(request: &SimulationRequest, translator: &Translator) -> Result<
         .collect::<Result<Vec<Run>>>()?;
     let mut assumptions = setup.assumptions.clone();
     translator.complete_each(&mut assumptions);
-    Ok(Document::new(&runs, settings, assumptions))
+    Ok(Document::new(&runs, settings, &assumptions))
 }
 
 /// Time and height of the drop of a request, moved so that its first impact is at a given time.

@@ -32,8 +32,8 @@ pub struct Catalogue {
     pub drag_laws: Vec<DragLawEntry>,
     /// The drag law that is assumed.
     pub usual_drag_law: String,
-    /// Families of restitution laws that the inference weighs.
-    pub restitution_laws: Vec<String>,
+    /// Restitution laws, for the inference and for simulations.
+    pub restitution_laws: Vec<RestitutionLawEntry>,
     /// What an impact can sound like.
     pub voices: Vec<String>,
     /// Bodies on which a ball may be dropped.
@@ -44,7 +44,17 @@ pub struct Catalogue {
     pub standard_gravity_m_s2: f64,
 }
 
-/// A ball whose rules fix mass and size.
+/// A restitution law.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct RestitutionLawEntry {
+    /// Name, as in settings.
+    pub name: String,
+    /// The law with numbers, as a simulation takes it.
+    pub example: String,
+}
+
+/// A ball that can be stated by name.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct BallPreset {

@@ -9,7 +9,9 @@ export interface SimulationSetup {
   readonly slope: number;
   readonly ball: string;
   readonly drag: string;
-  readonly world: string;
+  readonly body: string;
+  /** A restitution law with its numbers; if empty, that of the sliders. */
+  readonly law: string;
   /** Pressure of the air as a share of what it is there. */
   readonly air: number;
 }
@@ -20,7 +22,8 @@ export const USUAL: SimulationSetup = {
   slope: 0,
   ball: 'table-tennis-40',
   drag: 'clift-grace-weber',
-  world: 'earth',
+  body: 'earth',
+  law: '',
   air: 1,
 };
 
@@ -33,7 +36,7 @@ export const SLIDERS = {
 } as const;
 export type Slider = keyof typeof SLIDERS;
 
-const WORDS = ['ball', 'drag', 'world'] as const;
+const WORDS = ['ball', 'drag', 'body', 'law'] as const;
 
 export function simulationToParameters(setup: SimulationSetup): URLSearchParams {
   const parameters = new URLSearchParams();
@@ -57,7 +60,7 @@ export function simulationFromParameters(parameters: URLSearchParams): Simulatio
   }
   for (const name of WORDS) {
     const word = parameters.get(name);
-    if (word !== null && /^[\w.:-]{1,40}$/.test(word)) setup[name] = word;
+    if (word !== null && /^[\w.:,-]{1,60}$/.test(word)) setup[name] = word;
   }
   return setup;
 }

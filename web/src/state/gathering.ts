@@ -213,33 +213,26 @@ function named(measured: readonly Measured[], name: string, student: string): Ke
 /** The document of an analysis, as far as a drop can be analysed again by it. */
 interface Analysis {
   readonly drops: readonly Omit<DropMarks, 'edited'>[];
-  readonly settings: {
-    readonly ball_mass_kg: number;
-    readonly ball_diameter_m: number;
-    readonly contact_time_s: number;
-    readonly drag: string;
-    readonly gravity_m_s2: number;
-    readonly air_density_kg_m3: number;
-    readonly air_viscosity_pa_s: number;
-    readonly buoyancy: boolean;
-    readonly added_mass: boolean;
-  };
+  readonly settings: Settings & { readonly assumptions: unknown };
 }
 
 const ANALYSIS = 'bouncelab.analysis';
 
 function ofAnalysis({ drops, settings: used }: Analysis): Promise<readonly Measured[]> {
-  const { ball_mass_kg: mass_kg, ball_diameter_m: diameter_m } = used;
-  const ball = catalogue
+  const { assumptions: _, ...settings } = used;
+  const preset = catalogue
     .peek()
-    ?.balls.find((preset) => preset.mass_kg === mass_kg && preset.diameter_m === diameter_m);
-  const { contact_time_s, drag, gravity_m_s2, buoyancy, added_mass } = used;
-  const { air_density_kg_m3: density_kg_m3, air_viscosity_pa_s: viscosity_pa_s } = used;
-  const stated: Settings = {
-    ball: { ...(ball ? { kind: ball.name } : { mass_kg, diameter_m }), contact_time_s },
-    air: { drag, density_kg_m3, viscosity_pa_s, buoyancy, added_mass },
-    gravity: { gravity_m_s2 },
-  };
+    ?.balls.find(
+      ({ mass_kg, diameter_m }) =>
+        mass_kg === settings.ball?.mass_kg && diameter_m === settings.ball?.diameter_m,
+    );
+  // Of a preset only what differs was measured: the rest is as uncertain as the preset says.
+  const contact_time_s = settings.ball?.contact_time_s;
+  const measured =
+    contact_time_s === undefined || contact_time_s === preset?.contact_time_s
+      ? {}
+      : { contact_time_s };
+  const stated = preset ? { ...settings, ball: { kind: preset.name, ...measured } } : settings;
   const marks = drops.map(({ impacts, probability }) => ({ impacts, probability, edited: false }));
   return marks.length === 0 ? Promise.resolve([]) : measureMarks(marks, stated);
 }

@@ -58,9 +58,12 @@ export const overlay = computed(() => {
 /** The restitution of the slider is that at 1 m/s. */
 const AT_SPEED_M_S = 1;
 
+const lawOfSliders = (restitution: number, slope: number): string =>
+  slope === 0 ? String(restitution) : `power:${restitution},${AT_SPEED_M_S},${slope}`;
+
 export function requestOf(asked: SimulationSetup): SimulationRequest {
-  const { heightM, restitution, slope, ball, drag, world, air } = asked;
-  const where = catalogue.peek()?.bodies.find(({ name }) => name === world);
+  const { heightM, restitution, slope, ball, drag, body, law, air } = asked;
+  const where = catalogue.peek()?.bodies.find(({ name }) => name === body);
   const density = (where?.air_density_kg_m3 ?? 0) * air;
   const inAir = where && {
     density_kg_m3: density,
@@ -75,8 +78,7 @@ export function requestOf(asked: SimulationSetup): SimulationRequest {
       ...(where ? { gravity: { gravity_m_s2: where.gravity_m_s2 } } : {}),
     },
     height_m: heightM,
-    restitution:
-      slope === 0 ? String(restitution) : `power:${restitution},${AT_SPEED_M_S},${slope}`,
+    restitution: law || lawOfSliders(restitution, slope),
   };
 }
 

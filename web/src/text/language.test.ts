@@ -1,5 +1,5 @@
 import { afterEach, beforeAll, expect, test, vi } from 'vitest';
-import { languages, parts, preferred, speak, text } from './language.ts';
+import { preferred, speak, text } from './language.ts';
 
 // Whether every language has every message is tested together with the messages of the program.
 

@@ -19,11 +19,15 @@ from bouncelab._core import __version__
 if TYPE_CHECKING:
     from bouncelab._analyze import Progress, ProgressBar, analyze, analyze_times
     from bouncelab._data import (
+        AirUsed,
+        BallComparison,
+        BallUsed,
         BandPoint,
         Budget,
         Correlations,
         Diagnostic,
         Estimate,
+        GravityUsed,
         ImpactPosterior,
         ImpactRestitution,
         LogLinearFit,
@@ -81,8 +85,8 @@ if TYPE_CHECKING:
 _PLACES = {
     "_analyze": "Progress ProgressBar analyze analyze_times",
     "_data": (
-        "BandPoint Budget Correlations Diagnostic Estimate ImpactPosterior ImpactRestitution "
-        "LogLinearFit Measured Model PerImpact Posterior Prediction PriorContraction Sampling "
+        "AirUsed BallComparison BallUsed BandPoint Budget Correlations Diagnostic Estimate GravityUsed "
+        "ImpactPosterior ImpactRestitution LogLinearFit Measured Model PerImpact Posterior Prediction PriorContraction Sampling "
         "SettingsUsed Share Source StrongestBand"
     ),
     "_detector": "Detector",
@@ -106,7 +110,10 @@ _MODULES = {name: module for module, names in _PLACES.items() for name in names.
 
 __all__ = [
     "Air",
+    "AirUsed",
     "Ball",
+    "BallComparison",
+    "BallUsed",
     "BandPoint",
     "BouncelabError",
     "Budget",
@@ -120,6 +127,7 @@ __all__ = [
     "Drops",
     "Estimate",
     "Figure",
+    "GravityUsed",
     "ImpactPosterior",
     "ImpactRestitution",
     "InferenceError",

@@ -112,8 +112,8 @@ def analyze(
             As measured, beside ``ball`` or in place of it. Beside it, drag and contact time stay those of the kind, and
             mass and diameter of a solid ball follow from one another. In place of it, the contact time follows from the
             mean density, unless it is given.
-        air : Air, or temperature_k, pressure_pa, relative_humidity : float
-            The air.
+        air : Air, or temperature_k, pressure_pa, relative_humidity, or density_kg_m3, viscosity_pa_s : float
+            The air; a density of 0 is vacuum.
         drag : str
             One of :func:`drag_laws`, ``"none"`` or ``"constant:0.4"``.
         buoyancy, added_mass : bool
@@ -136,6 +136,8 @@ def analyze(
             restitution follow its law until rest.
         flights : tuple of int
             First and last flight of the log-linear fit.
+        compare_balls : bool
+            Whether to compare what the impact times indicate of each preset ball: ``drop.balls``.
         at_speed_m_s : float
             Impact speed at which to state the restitution.
         reach : list of (bounce, apex_m)

@@ -187,24 +187,87 @@ class StrongestBand:
     above_background_db: float
 
 
-@dataclass(frozen=True)
-class SettingsUsed:
-    """What was known or assumed of ball, air and gravity.
+@dataclass(frozen=True, slots=True)
+class BallUsed:
+    """The ball, as used.
 
     Attributes
     ----------
-    ball_mass_kg, ball_diameter_m : float
+    mass_kg, diameter_m : float
         Mass in kg and diameter in m.
     contact_time_s : float
         How long the ball touches the surface, in s.
-    air_density_kg_m3, air_viscosity_pa_s : float
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> bl.analyze_times([0.0, 0.5, 0.9], draws=None, ball="tennis").settings.ball.mass_kg
+    0.0577
+    """
+
+    mass_kg: float
+    diameter_m: float
+    contact_time_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class AirUsed:
+    """The air and its forces on the ball, as used.
+
+    Attributes
+    ----------
+    density_kg_m3, viscosity_pa_s : float
         Density in kg/m³ and dynamic viscosity in Pa s.
     drag : str
         The drag law.
     buoyancy, added_mass : bool
         Whether these forces count.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> bl.analyze_times([0.0, 0.5, 0.9], draws=None, drag="morrison").settings.air.drag
+    'morrison'
+    """
+
+    density_kg_m3: float
+    viscosity_pa_s: float
+    drag: str
+    buoyancy: bool
+    added_mass: bool
+
+
+@dataclass(frozen=True, slots=True)
+class GravityUsed:
+    """Gravity, as used.
+
+    Attributes
+    ----------
     gravity_m_s2 : float
         Gravity in m/s².
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> bl.analyze_times([0.0, 0.5, 0.9], draws=None, gravity_m_s2=9.81).settings.gravity.gravity_m_s2
+    9.81
+    """
+
+    gravity_m_s2: float
+
+
+@dataclass(frozen=True)
+class SettingsUsed:
+    """What was known or assumed of ball, air and gravity, in the groups of the settings.
+
+    Attributes
+    ----------
+    ball : BallUsed
+        The ball.
+    air : AirUsed
+        The air and its forces.
+    gravity : GravityUsed
+        Gravity.
     assumptions : tuple of Diagnostic
         What was assumed for want of an option.
 
@@ -212,20 +275,42 @@ class SettingsUsed:
     --------
     >>> import bouncelab as bl
     >>> settings = bl.analyze_times([0.0, 0.5, 0.9], draws=None, ball="tennis").settings
-    >>> settings.ball_mass_kg
+    >>> settings.ball.mass_kg
     0.0577
     """
 
-    ball_mass_kg: float
-    ball_diameter_m: float
-    contact_time_s: float
-    air_density_kg_m3: float
-    air_viscosity_pa_s: float
-    drag: str
-    buoyancy: bool
-    added_mass: bool
-    gravity_m_s2: float
+    ball: BallUsed
+    air: AirUsed
+    gravity: GravityUsed
     assumptions: tuple[Diagnostic, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class BallComparison:
+    """The results of a drop for a preset ball.
+
+    Attributes
+    ----------
+    ball : str
+        The name of the preset.
+    log_bayes_factor : float
+        Natural logarithm of the evidence of this ball over that of the ball that was stated or assumed.
+    restitution, drop_height_m : Estimate
+        The results, if it was this ball; the height in m.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> times_s = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045]
+    >>> balls = bl.analyze_times(times_s, draws=100, compare_balls=True).drops[0].balls
+    >>> len(balls) == len(bl.presets())
+    True
+    """
+
+    ball: str
+    log_bayes_factor: float
+    restitution: Estimate
+    drop_height_m: Estimate
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Literal, overload
 
 from bouncelab import _core
 from bouncelab._data import (
+    BallComparison,
     JSON,
     Diagnostic,
     Estimate,
@@ -258,6 +259,11 @@ class Drop:
     def has_posterior(self) -> bool:
         """Whether there is a posterior."""
         return self._document["posterior"] is not None
+
+    @property
+    def balls(self) -> tuple[BallComparison, ...]:
+        """What the times indicate of each preset ball, the best first; empty without ``compare_balls=True``."""
+        return read(tuple[BallComparison, ...], self._document["balls"])
 
     @property
     def restitution(self) -> Estimate:

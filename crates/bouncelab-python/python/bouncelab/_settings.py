@@ -85,6 +85,8 @@ class AirOptions(TypedDict, total=False):
     temperature_k: float | None
     pressure_pa: float | None
     relative_humidity: float | None
+    density_kg_m3: float | None
+    viscosity_pa_s: float | None
     buoyancy: bool | None
     added_mass: bool | None
 
@@ -125,6 +127,7 @@ class AnalysisOptions(TypedDict, total=False):
     """What to compute besides the inference."""
 
     flights: tuple[int, int] | None
+    compare_balls: bool | None
 
 
 class InferenceOptions(TypedDict, total=False):
@@ -160,13 +163,13 @@ class Options(
     --------
     >>> import bouncelab as bl
     >>> options: bl.Options = {"ball": "tennis", "draws": None}
-    >>> bl.analyze_times([0.0, 0.5, 0.9], **options).settings.ball_diameter_m
+    >>> bl.analyze_times([0.0, 0.5, 0.9], **options).settings.ball.diameter_m
     0.066
     """
 
 
 #: The options with their types, by their group in the settings of the science. Names and groups are those of
-#: `Settings` in Rust.
+#: `Settings` in Rust, which a test compares, but for `ball` (`kind`), `air` (an object) and `draws=None` (`enabled`).
 GROUPS: dict[str, dict[str, object]] = {
     "ball": get_type_hints(BallOptions),
     "air": get_type_hints(AirOptions),

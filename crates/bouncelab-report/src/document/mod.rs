@@ -25,8 +25,12 @@ pub mod simulation;
 mod tracker;
 pub mod verdict;
 
+use bouncelab::flight::Environment;
+use bouncelab::settings::{AirSettings, BallSettings, GravitySettings, Settings};
 use bouncelab::{Diagnostic, Options, Recording};
 use serde::Serialize;
+
+use crate::link::as_stated;
 
 pub use tracker::tracker;
 
@@ -60,19 +64,12 @@ pub struct FailedDocument<'a> {
     diagnostics: [(); 0],
 }
 
-/// The settings, given or assumed.
+/// The settings, given or assumed: those of ball, air and gravity, in the groups of [`Settings`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 pub(crate) struct SettingsUsed {
-    ball_mass_kg: f64,
-    ball_diameter_m: f64,
-    contact_time_s: f64,
-    air_density_kg_m3: f64,
-    air_viscosity_pa_s: f64,
-    drag: String,
-    buoyancy: bool,
-    added_mass: bool,
-    gravity_m_s2: f64,
+    #[serde(flatten, serialize_with = "as_stated")]
+    settings: Settings,
     /// Which of the settings were assumed.
     assumptions: Vec<Diagnostic>,
 }
@@ -113,17 +110,36 @@ impl<'a> FailedDocument<'a> {
 
 impl SettingsUsed {
     pub(crate) fn new(options: &Options, assumptions: &[Diagnostic]) -> Self {
-        let environment = &options.environment;
+        let Environment {
+            gravity_m_s2,
+            air,
+            drag,
+            buoyancy,
+            added_mass,
+        } = options.environment;
+        let settings = Settings {
+            ball: BallSettings {
+                kind: None,
+                mass_kg: Some(options.ball.mass_kg()),
+                diameter_m: Some(options.ball.diameter_m()),
+                contact_time_s: Some(options.contact_time_s),
+            },
+            air: AirSettings {
+                density_kg_m3: Some(air.density_kg_m3()),
+                viscosity_pa_s: Some(air.viscosity_pa_s()),
+                drag: Some(drag.to_string()),
+                buoyancy: Some(buoyancy),
+                added_mass: Some(added_mass),
+                ..AirSettings::default()
+            },
+            gravity: GravitySettings {
+                gravity_m_s2: Some(gravity_m_s2),
+                ..GravitySettings::default()
+            },
+            ..Settings::default()
+        };
         Self {
-            ball_mass_kg: options.ball.mass_kg(),
-            ball_diameter_m: options.ball.diameter_m(),
-            contact_time_s: options.contact_time_s,
-            air_density_kg_m3: environment.air.density_kg_m3(),
-            air_viscosity_pa_s: environment.air.viscosity_pa_s(),
-            drag: environment.drag.to_string(),
-            buoyancy: environment.buoyancy,
-            added_mass: environment.added_mass,
-            gravity_m_s2: environment.gravity_m_s2,
+            settings,
             assumptions: assumptions.to_vec(),
         }
     }

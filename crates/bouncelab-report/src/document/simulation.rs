@@ -6,6 +6,8 @@ use bouncelab::restitution::{Contact, Restitution};
 use bouncelab::{Diagnostic, Options};
 use serde::Serialize;
 
+use super::SettingsUsed;
+
 /// Name and version of the schema.
 pub const SCHEMA: &str = "bouncelab.simulation/2";
 
@@ -105,12 +107,7 @@ pub struct Document {
     schema: &'static str,
     /// Version of the program that made it.
     bouncelab: &'static str,
-    ball_mass_kg: f64,
-    ball_diameter_m: f64,
-    contact_time_s: f64,
-    air_density_kg_m3: f64,
-    gravity_m_s2: f64,
-    assumptions: Vec<Diagnostic>,
+    settings: SettingsUsed,
     simulations: Vec<Simulation>,
 }
 
@@ -156,16 +153,11 @@ pub struct Bounce {
 
 impl Document {
     /// The document of these runs.
-    pub fn new(runs: &[Run], settings: &Options, assumptions: Vec<Diagnostic>) -> Self {
+    pub fn new(runs: &[Run], settings: &Options, assumptions: &[Diagnostic]) -> Self {
         Self {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),
-            ball_mass_kg: settings.ball.mass_kg(),
-            ball_diameter_m: settings.ball.diameter_m(),
-            contact_time_s: settings.contact_time_s,
-            air_density_kg_m3: settings.environment.air.density_kg_m3(),
-            gravity_m_s2: settings.environment.gravity_m_s2,
-            assumptions,
+            settings: SettingsUsed::new(settings, assumptions),
             simulations: runs.iter().map(Simulation::new).collect(),
         }
     }

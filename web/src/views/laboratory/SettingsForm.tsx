@@ -239,7 +239,7 @@ function Measured() {
         value={restitution_laws?.[0] ?? ''}
         options={[
           ['', text('page-settings-restitution-any')],
-          ...laws.map((law) => [law, nameIn(`restitution-law-${law}`, law)] as const),
+          ...laws.map(({ name }) => [name, nameIn(`restitution-law-${name}`, name)] as const),
         ]}
         onChange={(law) =>
           change('inference', { restitution_laws: law === '' ? undefined : [law] })

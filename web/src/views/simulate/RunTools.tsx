@@ -107,6 +107,7 @@ function Runs() {
 function inWords({ setup }: Run): string {
   const spoken = language.value;
   const height = rounded(setup.heightM, setup.heightM < 1 ? 3 : 4, LENGTH, spoken);
-  const world = nameIn(`page-simulate-worlds-${setup.world}`, setup.world);
-  return `${ballName(setup.ball)}, ${height}, e ${fixed(setup.restitution, 4, spoken)}, ${world}`;
+  const body = nameIn(`page-simulate-bodies-${setup.body}`, setup.body);
+  const law = setup.law || fixed(setup.restitution, 4, spoken);
+  return `${ballName(setup.ball)}, ${height}, e ${law}, ${body}`;
 }

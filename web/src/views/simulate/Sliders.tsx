@@ -1,3 +1,4 @@
+import { useId } from 'preact/hooks';
 import { SLIDERS, type Slider as SliderName } from '../../address/simulation.ts';
 import { Choice } from '../../app/Choice.tsx';
 import { Slider } from '../../app/Slider.tsx';
@@ -12,7 +13,7 @@ export function Sliders() {
   const spoken = language.value;
   const now = setup.value;
   const offered = catalogue.value;
-  const world = offered?.bodies.find(({ name }) => name === now.world);
+  const body = offered?.bodies.find(({ name }) => name === now.body);
   const slider = (name: SliderName) => {
     const { min, max, step } = SLIDERS[name];
     return {
@@ -33,14 +34,17 @@ export function Sliders() {
       <Slider
         label={text('page-simulate-restitution')}
         shown={fixed(now.restitution, 4, spoken)}
+        disabled={now.law !== ''}
         {...slider('restitution')}
       />
       <Slider
         label={text('page-simulate-slope')}
         hint={text('page-simulate-slope-hint')}
         shown={fixed(now.slope, 4, spoken)}
+        disabled={now.law !== ''}
         {...slider('slope')}
       />
+      <Law />
       <Choice
         label={text('page-simulate-ball')}
         value={now.ball}
@@ -48,17 +52,17 @@ export function Sliders() {
         onChange={(ball) => move({ ball })}
       />
       <Choice
-        label={text('page-simulate-world')}
-        value={now.world}
+        label={text('page-simulate-body')}
+        value={now.body}
         options={(offered?.bodies ?? []).map(
-          ({ name }) => [name, nameIn(`page-simulate-worlds-${name}`, name)] as const,
+          ({ name }) => [name, nameIn(`page-simulate-bodies-${name}`, name)] as const,
         )}
-        onChange={(where) => move({ world: where })}
+        onChange={(where) => move({ body: where })}
       />
       <Slider
         label={text('page-simulate-pressure')}
         shown={rounded(now.air, 3, PERCENT, spoken)}
-        disabled={world?.air_density_kg_m3 === 0}
+        disabled={body?.air_density_kg_m3 === 0}
         {...slider('air')}
       />
       <Choice
@@ -72,5 +76,38 @@ export function Sliders() {
         onChange={(drag) => move({ drag })}
       />
     </div>
+  );
+}
+
+/** Any restitution law that the engine lists: an example to begin with, and its numbers to change. */
+function Law() {
+  const id = useId();
+  const { law } = setup.value;
+  const laws = catalogue.value?.restitution_laws ?? [];
+  const example = laws.find(({ name }) => name === law.split(':')[0])?.example ?? '';
+  return (
+    <>
+      <Choice
+        label={text('page-simulate-law')}
+        value={example}
+        options={[
+          ['', text('page-simulate-law-of-sliders')],
+          ...laws.map(
+            ({ name, example }) => [example, nameIn(`restitution-law-${name}`, name)] as const,
+          ),
+        ]}
+        onChange={(chosen) => move({ law: chosen })}
+      />
+      {law !== '' && (
+        <div class="field">
+          <label for={id}>{text('page-simulate-law-numbers')}</label>
+          <input
+            id={id}
+            value={law}
+            onChange={({ currentTarget: { value } }) => move({ law: value.replaceAll(' ', '') })}
+          />
+        </div>
+      )}
+    </>
   );
 }
