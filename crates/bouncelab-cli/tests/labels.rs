@@ -141,6 +141,18 @@ fn tracker_gets_the_motion_between_the_impacts() {
         rows.iter()
             .all(|[t, x, y]| (0.25..2.3).contains(t) && *x == 0.0 && *y > -1e-6)
     );
+    // Read back, it is no list of impacts, whatever its columns are called.
+    let refused = times::parse(table.as_bytes(), "motion.csv").unwrap_err();
+    assert!(
+        refused.to_string().contains("positions over time"),
+        "{refused}"
+    );
+    let renamed = table.replace("t,x,y", "time_s,n,height");
+    let times_s = times::parse(renamed.as_bytes(), "motion.csv")
+        .unwrap()
+        .times_s;
+    let read = bouncelab::analyze_times(&times_s, &bouncelab::Options::default());
+    assert!(read.drops.is_empty(), "{:?}", read.drops);
 }
 
 /// A simulated drop as `drop.wav`, with its impacts in `truth.csv`, and its copy with markers as `marked.wav`.
