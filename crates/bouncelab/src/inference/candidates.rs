@@ -337,7 +337,7 @@ impl SampledPosterior {
     }
 
     /// Start of a search by the fits of the same numbering: the fit of the first law, plus the difference between this law and
-    /// the first under the other drag law. With more impacts missed than before everything may differ, so the most probable
+    /// the first with the other ball. With more impacts missed than before everything may differ, so the most probable
     /// of several starts.
     fn fitted_like(
         &self,
@@ -536,7 +536,7 @@ pub(super) fn best_evidence<'a>(candidates: impl IntoIterator<Item = &'a Candida
     evidences.fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Maximum number of missed impacts before the first one detected: that which may explain the times under another drag law,
+/// Maximum number of missed impacts before the first one detected: that which may explain the times of another ball,
 /// if one has been fitted.
 fn max_missed_first(law: LawKind, numbering: usize, candidates: &[Candidate]) -> usize {
     let alike = |candidate: &&Candidate| candidate.law == law && candidate.numbering == numbering;

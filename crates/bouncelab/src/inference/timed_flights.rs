@@ -17,7 +17,7 @@ use crate::simd::Lanes;
 /// impact speed over g T/2, each as a + x (b + x c).
 pub(super) type Curves = [f64; 6];
 
-/// The flights of a drop under one drag law.
+/// The flights of a drop of one ball.
 #[derive(Debug, Clone)]
 pub(super) struct TimedFlights {
     /// 1/(g T) of each interval at the nominal values, s/m; 0 where impacts were missed.

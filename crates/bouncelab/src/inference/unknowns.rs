@@ -16,7 +16,7 @@ use crate::flight::table::MAX_STEPS;
 use crate::restitution::{LawKind, MAX_SHAPES, Restitution};
 use crate::simd::Lanes;
 
-/// One physical explanation of a drop: which restitution law, which drag law, and how many impacts
+/// One physical explanation of a drop: which restitution law, which ball, and how many impacts
 /// went before the first one detected.
 #[derive(Debug, Clone)]
 pub(super) struct Model<'a> {
