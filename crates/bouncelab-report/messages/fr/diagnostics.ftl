@@ -88,7 +88,7 @@ diagnostic-height-contradicts-times = La hauteur indiquée de { $measured_m } co
 diagnostic-first-impact-doubtful = Le premier impact, à { $time_s } s, s’accorde mal avec les autres : avec une probabilité de { $probability }, c’est un autre bruit, ou il vient d’une chute précédente, et la balle est tombée de { $height_m }.
 diagnostic-release-contradicts-times = Le lâcher indiqué, { $stated_s } s avant le premier impact, contredit les impacts, qui indiquent une chute de { $detected_s } s ; il n’est pas utilisé.
 diagnostic-first-impacts-missed = Des impacts avant le premier détecté ont été manqués, avec une probabilité de { $probability }.
-diagnostic-other-ball-fits-better = Les temps correspondent mieux à une autre sorte de balle que celle indiquée, au moins { $odds } contre 1 : { $balls }. Vérifiez quelle balle c’était.
+diagnostic-other-ball-fits-better = Les temps correspondent mieux à une autre sorte de balle que celle indiquée, au moins { $odds } contre 1 : { $balls }. Vérifiez quelle balle c’était.
 diagnostic-never-rests = Selon certaines lois de restitution possibles, la balle perd si peu aux impacts lents qu’elle n’atteindrait pas le repos en un temps raisonnable.
 diagnostic-inference-off = Aucune inférence n’a été demandée.
 diagnostic-inference-needs-impacts = Une inférence demande au moins un vol, soit deux impacts.
@@ -152,7 +152,7 @@ diagnostic-implausible-ball = Une balle de { $mass_kg } et de { $diameter_m } de
   }
 
 diagnostic-assumed-ball = La balle est : { $ball }.
-diagnostic-ball-not-stated = La balle n’est pas indiquée : les intervalles valent pour chaque sorte de balle que les temps permettent. Si on l’indique, ils se resserrent.
+diagnostic-ball-not-stated = La balle n’est pas indiquée : les intervalles valent pour chaque sorte de balle que les temps permettent. Si on l’indique, ils se resserrent.
 diagnostic-assumed-contact-time = La balle touche la surface pendant { $contact_time_s }.
 diagnostic-assumed-rule-ball = La balle est celle de la règle : { $ball }.
 diagnostic-assumed-rule-height = Le point le plus bas de la balle est tombé de { $height_m } ± { $sd_m }, comme dans la règle.

@@ -106,7 +106,7 @@ figure-flight-times-unused = non utilisés
 figure-flight-times-used = vols utilisés
 
 figure-groups-title = Restitution de chaque groupe selon la vitesse
-figure-groups-caption = Chaque point est un impact ; chaque ligne est la courbe d’un groupe, avec son intervalle à 95 %.
+figure-groups-caption = Chaque point est un impact ; chaque ligne est la courbe d’un groupe, avec son intervalle à 95 %.
 figure-groups-more = Les { $shown } premiers groupes sur { $all } sont montrés.
 figure-groups-empty = Aucun impact n’a une restitution connue.
 
@@ -171,7 +171,7 @@ figure-restitution-odd = aberrant, pèse moins
 figure-restitution-raw = air négligé
 
 figure-run-title = Y a-t-il une dérive ?
-figure-run-caption = Niveau de chaque essai moins la médiane de son groupe, dans l’ordre : une pente ou une marche signifie que la balle, la surface ou l’air ont changé.
+figure-run-caption = Niveau de chaque essai moins la médiane de son groupe, dans l’ordre : une pente ou une marche signifie que la balle, la surface ou l’air ont changé.
 figure-run-empty = Il n’y a pas d’essai à montrer.
 figure-run-off = ln e moins la médiane du groupe
 figure-run-order = essai, dans l’ordre

@@ -154,7 +154,7 @@ verdict-method-predicted = Le verdict porte sur le sommet après le premier impa
 verdict-method-decided = Acceptation avec bande de garde (JCGM 106:2012, The role of measurement uncertainty in conformity assessment) : la conformité n’est déclarée que si la probabilité d’être hors des limites est au plus le risque indiqué, et la non-conformité que si celle d’être dans les limites l’est. Sinon, les essais ne permettent pas de décider. L’incertitude de la balle, de l’air et de la traînée est commune à tous les essais et ne se moyenne pas.
 
 balls-numbers = { $ball }, contact { $contact }
-balls-words = aussi : { $words }
+balls-words = aussi : { $words }
 
 rule-name = nom
 rule-title = règle
@@ -258,15 +258,15 @@ session-ball-assumed = La traînée dépend de la balle, qui n’a pas été ind
 session-title = Série
 session-speed = Restitution à une vitesse d’impact de { $speed } m/s :
 session-legend =
-    ± : incertitude-type ; commune : la part que tous les essais partagent (traînée, air, balle, opérateurs)
-    et que plus d’essais ne réduisent pas ; entre essais : dispersion au-delà de leurs propres erreurs ; { $wanted ->
-        [none] requis : essais en tout qui réduiraient de moitié l’intervalle
-       *[other] requis : essais en tout pour une restitution connue à ± { $wanted } (95 %)
+    ± : incertitude-type ; commune : la part que tous les essais partagent (traînée, air, balle, opérateurs)
+    et que plus d’essais ne réduisent pas ; entre essais : dispersion au-delà de leurs propres erreurs ; { $wanted ->
+        [none] requis : essais en tout qui réduiraient de moitié l’intervalle
+       *[other] requis : essais en tout pour une restitution connue à ± { $wanted } (95 %)
       }
-session-intervals = Intervalles à 95 %, et les écarts-types de l’ISO 5725 :
-session-scatters = Dispersion à côté de celle des essais, relative :
-session-curves = Restitution en fonction de la vitesse d’impact :
-session-drop-heights = Hauteurs de chute :
+session-intervals = Intervalles à 95 %, et les écarts-types de l’ISO 5725 :
+session-scatters = Dispersion à côté de celle des essais, relative :
+session-curves = Restitution en fonction de la vitesse d’impact :
+session-drop-heights = Hauteurs de chute :
 session-outliers = Valeurs aberrantes de leur groupe ; leurs métadonnées sont-elles justes ?
 session-outlier = { $name } : { $off } { $side ->
     [above] au-dessus
@@ -274,7 +274,7 @@ session-outlier = { $name } : { $off } { $side ->
   } des autres de { $group }, { $score } écarts-types
 session-outliers-count = Elles sont comprises dans tous les résultats ci-dessus. Avec et sans elles :
 session-exclude = --exclude NAME en exclut une de tout.
-session-differences = Différences entre groupes :
+session-differences = Différences entre groupes :
 session-more = et { $count } de plus (--details)
 session-tables = Tableaux : { $list }
 session-no-drop = aucun enregistrement ne contient d’essai
