@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import re
 from pathlib import Path
@@ -32,12 +33,15 @@ def test_the_examples_run(document: str, tmp_path: Path, monkeypatch: pytest.Mon
     run_examples(document)
 
 
-def test_the_query_of_a_session_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    pytest.importorskip("duckdb")
+def test_the_queries_of_a_session_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    for package in ("duckdb", "pandas", "statsmodels"):
+        pytest.importorskip(package)
     parquet = pytest.importorskip("pyarrow.parquet")
-    for number in range(2):
-        bl.synthesize(restitution=0.8, bounces=8, seed=number).save(tmp_path / f"tennis_wood_{number}.wav")
-    study = bl.session(tmp_path, pattern="{ball}_{surface}_{}", draws=None)
+    metadata = itertools.product(("tennis", "golf"), ("wood", "stone"), ("ann", "bob"), range(2))
+    for seed, (ball, surface, operator, number) in enumerate(metadata):
+        sound = bl.synthesize(ball=ball, restitution=0.8 - 0.05 * (surface == "wood"), bounces=8, seed=seed)
+        sound.save(tmp_path / f"{ball}_{surface}_{operator}_{number}.wav")
+    study = bl.session(tmp_path, pattern="{ball}_{surface}_{operator}_{}", draws=200)
     (tmp_path / "bouncelab-session").mkdir()
     parquet.write_table(study.drops.to_arrow(), tmp_path / "bouncelab-session" / "drops.parquet")
     monkeypatch.chdir(tmp_path)

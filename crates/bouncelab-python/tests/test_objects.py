@@ -26,7 +26,7 @@ def study() -> bl.Study:
 
 def everything() -> dict[str, object]:
     """An object of every public class."""
-    recording = bl.analyze_times(TIMES_S, draws=200, reach=[(2, 0.2)])
+    recording = bl.analyze_times(TIMES_S, draws=200, reach=[(2, 0.2)], compare_balls=True)
     sound = bl.synthesize(bounces=5, restitution=0.8)
     drop = recording.drops[0]
     posterior = drop.posterior
@@ -34,7 +34,8 @@ def everything() -> dict[str, object]:
     exceptions = [getattr(bl, name)("what was wrong") for name in bl.__all__ if name.endswith("Error")]
     objects = [
         *exceptions, bl.air(), bl.presets()[0], bl.drag_laws()[0], bl.restitution_laws()[0], recording, recording.source,
-        recording.settings, recording.drops, recording.impacts, recording.impacts.columns[0], drop, drop.draws,
+        recording.settings, recording.settings.ball, recording.settings.air, recording.settings.gravity, recording.drops,
+        recording.impacts, recording.impacts.columns[0], drop, drop.draws, drop.balls[0],
         drop.figure("height"), drop.log_linear_fit, drop.per_impact, posterior, posterior.restitution,
         posterior.drag_coefficient_prior, posterior.impacts[0], posterior.models[0], posterior.budget,
         posterior.budget.restitution[0], posterior.predictions[0], posterior.prior_contraction[0],

@@ -107,7 +107,8 @@ def analyze(
 
         ball : str or Ball
             One of :func:`presets`, by its name in any case or another usual word, such as ``"ping pong"``; also with
-            the diameter in m, as in ``"steel:0.01"``.
+            the diameter in m, as in ``"steel:0.01"``. If left out, and no mass and diameter either, the ball is an
+            unknown: the intervals cover every kind that the times allow.
         mass_kg, diameter_m, contact_time_s : float
             As measured, beside ``ball`` or in place of it. Beside it, drag and contact time stay those of the kind, and
             mass and diameter of a solid ball follow from one another. In place of it, the contact time follows from the
@@ -127,7 +128,7 @@ def analyze(
         first_detected : bool
             Whether the first impact detected is the first there was.
         restitution_laws : list of str
-            Names of :func:`restitution_laws` to weigh; all if left out.
+            Names of :func:`restitution_laws` to compare; the smooth law alone if left out.
         infer : list of str
             What to leave to the data: gravity, drag, contact-time.
         known : mapping of str to float

@@ -455,18 +455,20 @@ class ImpactPosterior:
 
 @dataclass(frozen=True, slots=True)
 class Model:
-    """A restitution law with a drag law, and how probable they are.
+    """A restitution law with a kind of ball, and how probable they are.
 
     Attributes
     ----------
-    restitution_law, drag_law : str
-        Their names.
+    restitution_law : str
+        Name of the law.
+    ball : str or None
+        Kind of the ball; ``None`` if the ball was stated.
     probability : float
         Posterior probability of the two together.
     log_evidence : float
-        Natural logarithm of the marginal likelihood.
+        Natural logarithm of the marginal likelihood, the best being 0.
     restitution, drop_height_m : Estimate or None
-        What they alone would give; the height in m.
+        What they alone would give; the height in m. ``None`` if their probability is negligible.
 
     Examples
     --------
@@ -477,7 +479,7 @@ class Model:
     """
 
     restitution_law: str
-    drag_law: str
+    ball: str | None
     probability: float
     log_evidence: float
     restitution: Estimate | None

@@ -98,7 +98,7 @@ def drag_laws() -> tuple[DragLaw, ...]:
 
 
 def restitution_laws() -> tuple[RestitutionLaw, ...]:
-    """Return the restitution laws that drops can be simulated with and that the inference weighs.
+    """Return the restitution laws that drops can be simulated with and that the inference can compare.
 
     Returns
     -------
