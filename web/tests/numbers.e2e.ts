@@ -16,10 +16,10 @@ beforeAll(() => {
 
 /** What the engine detects in a file. */
 function detected(path: string): RecordingResult {
-  if (science.isList(path)) {
-    return JSON.parse(science.readTimes(readFileSync(path), path));
-  }
-  const decoder = new decoding.Decoder(readFileSync(path), path);
+  const opened = new decoding.Opened(readFileSync(path), path);
+  const list = opened.list();
+  if (list !== undefined) return JSON.parse(science.listed(list));
+  const decoder = opened.decoder();
   const detector = new science.Detector(decoder.sampleRateHz(), decoder.channels(), null);
   let more = true;
   while (more) {

@@ -52,10 +52,10 @@ test('a file that is dropped anywhere', async () => {
   await isTrue(on);
 });
 
-test('another ball than was assumed is noticed, and chosen where the warning says', async () => {
+test('another ball than was stated is noticed, and chosen where the warning says', async () => {
   const words = ['--ball', 'tennis', '--height', '2.5m', '--restitution', '0.75'];
   const { path } = synth(join(scratch(), 'tennis.wav'), ...words);
-  const on = await page();
+  const { page: on } = await open(here.browser, `${here.url}#lab?ball=table-tennis-40`);
   await on.locator('input[type=file]').setInputFiles(path);
   const warning = on.getByText(/probably another one.*Choose it in the row “Which ball\?”/);
   await warning.waitFor();

@@ -82,7 +82,7 @@ fn impact_row(drop: &Drop, index: usize, details: bool, translator: &Translator)
 
 /// Whether the restitution of an impact would mislead: an impact that it follows from is uncertain or an outlier, or its
 /// standard error is large.
-fn is_in_doubt(drop: &Drop, corrected: &ImpactRestitution) -> bool {
+pub fn is_in_doubt(drop: &Drop, corrected: &ImpactRestitution) -> bool {
     /// Balls differ by this much, and impacts of one drop by far less.
     const MAX_SD: f64 = 0.05;
     let number = corrected.number;

@@ -364,8 +364,9 @@ fn messages_have_the_decimal_sign_of_their_language() {
     }
 }
 
-/// What looks like an id and is the name of a figure, a class or a colour.
-const OTHER_NAMES: [&str; 5] = [
+/// What looks like an id and is the name of a figure, a class, a colour or a diagnostic.
+const OTHER_NAMES: [&str; 6] = [
+    "ball-not-stated",
     "drag-log",
     "drag-text",
     "drag-tint",

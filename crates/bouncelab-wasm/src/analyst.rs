@@ -55,10 +55,12 @@ impl Analyst {
         request: &'a AnalysisRequest,
         translator: &'a Translator,
     ) -> Result<Analysis<'a>> {
-        let mut setup = request.settings.resolve()?;
-        if !request.inference {
-            setup.options.inference = None;
-        }
+        let settings = request.settings.clone();
+        let mut setup = if request.inference {
+            settings.resolve()?
+        } else {
+            settings.without_inference().resolve()?
+        };
         let candidates = request.drops.iter().map(DropMarks::candidate).collect();
         let plan = Plan::of_candidates(request.source.clone(), candidates, &setup.options);
         let drops = plan.tasks().iter().map(|task| self.drop(task)).collect();
@@ -111,6 +113,7 @@ impl Analysis<'_> {
             headlines: self.headlines(),
             quantities: self.quantities(),
             unknowns: self.unknowns(),
+            doubtful_restitutions: self.result.drops.iter().map(doubtful).collect(),
             figures: self.figures(),
             comparable: self.result.drops.iter().map(comparable).collect(),
         }
@@ -219,6 +222,13 @@ impl Analysis<'_> {
         let impacts = TableKind::Impacts.table(&self.request.name, &self.result);
         impacts.csv(Formulas::Guarded)
     }
+}
+
+/// The numbers of the impacts whose restitution is in doubt.
+fn doubtful(drop: &Drop) -> Vec<usize> {
+    let corrected = drop.per_impact.iter().flat_map(|it| &it.impacts);
+    let doubtful = corrected.filter(|impact| tables::is_in_doubt(drop, impact));
+    doubtful.map(|impact| impact.number).collect()
 }
 
 fn comparable(drop: &Drop) -> Option<Comparable> {

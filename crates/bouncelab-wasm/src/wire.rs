@@ -26,7 +26,7 @@ use bouncelab_report::report::{Block, Section};
 pub struct Catalogue {
     /// Version of the program.
     pub version: String,
-    /// Balls by name, the first being the one that is assumed.
+    /// Balls by name, the first being the usual one.
     pub balls: Vec<BallPreset>,
     /// Drag laws by name; besides there are `none` and `constant:0.4`.
     pub drag_laws: Vec<DragLawEntry>,
@@ -177,6 +177,8 @@ pub struct Analysed<'a> {
     ///
     /// [`PriorContraction::unknown`]: bouncelab::inference::PriorContraction::unknown
     pub unknowns: BTreeMap<&'static str, String>,
+    /// The numbers of the impacts of each drop whose restitution would mislead.
+    pub doubtful_restitutions: Vec<Vec<usize>>,
     /// The figures that there are of each drop.
     pub figures: Vec<Vec<FigureTab>>,
     /// What each drop adds to a study of many; `null` without an inference.

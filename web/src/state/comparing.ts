@@ -3,10 +3,10 @@ import { signal } from '@preact/signals';
 import type { StudyRequest } from '../lab/index.ts';
 import type { KeptDrop } from '../store/drops.ts';
 import { text } from '../text/language.ts';
-import { ballName } from '../text/names.ts';
-import { catalogue } from './engine.ts';
+import { ballName, UNSTATED } from '../text/names.ts';
 import { alter, kept } from './keeping.ts';
 import { measureMarks } from './measuring.ts';
+import { isOwnBall } from './settings.ts';
 
 /** What drops can be compared by. */
 export const FIELDS = ['ball', 'surface', 'student'] as const;
@@ -21,9 +21,9 @@ export function toggle(field: Field): void {
   grouping.value = next;
 }
 
-/** The preset of a drop, if it is of one. */
-export const presetOf = ({ settings: { ball } }: KeptDrop): string | undefined =>
-  ball?.kind ?? (ball?.mass_kg === undefined ? catalogue.value?.balls[0]?.name : undefined);
+/** The preset of a drop, if it is of one; `UNSTATED` if no ball was stated. */
+export const presetOf = ({ settings }: KeptDrop): string | undefined =>
+  isOwnBall(settings) ? undefined : (settings.ball?.kind ?? UNSTATED);
 
 /** The ball by its name in the language of the page, where it has one. */
 export function ballOf(drop: KeptDrop): string {

@@ -3,7 +3,7 @@
  * something else is named, the rest is kept; a drop that is in the table already is not added again.
  */
 import { codesIn } from '../address/drop.ts';
-import { type DropMarks, LabError, mustFit, type Settings } from '../lab/index.ts';
+import { type Diagnostic, type DropMarks, LabError, mustFit, type Settings } from '../lab/index.ts';
 import {
   ArchiveError,
   dropsOfList,
@@ -213,13 +213,17 @@ function named(measured: readonly Measured[], name: string, student: string): Ke
 /** The document of an analysis, as far as a drop can be analysed again by it. */
 interface Analysis {
   readonly drops: readonly Omit<DropMarks, 'edited'>[];
-  readonly settings: Settings & { readonly assumptions: unknown };
+  readonly settings: Settings & { readonly assumptions: readonly Diagnostic[] };
 }
 
 const ANALYSIS = 'bouncelab.analysis';
 
 function ofAnalysis({ drops, settings: used }: Analysis): Promise<readonly Measured[]> {
-  const { assumptions: _, ...settings } = used;
+  const { assumptions, ...all } = used;
+  const { ball: _, ...others } = all;
+  // The ball of the document is then only the most usual one.
+  const isOpen = assumptions.some(({ code }) => code === 'ball-not-stated');
+  const settings: Settings = isOpen ? others : all;
   const preset = catalogue
     .peek()
     ?.balls.find(

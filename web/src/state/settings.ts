@@ -4,6 +4,7 @@ import { recall, remember } from '../address/memory.ts';
 import { hashOf, note, parseRoute } from '../address/route.ts';
 import { settingsFromParameters, settingsToParameters } from '../address/settings.ts';
 import type { Settings } from '../lab/index.ts';
+import { UNSTATED } from '../text/names.ts';
 
 export const settings = signal<Settings>({});
 /** The way back to the laboratory, with its set-up. */
@@ -53,10 +54,11 @@ export function change<G extends keyof Settings>(
 export const isOwnBall = ({ ball }: Settings): boolean =>
   ball?.kind === undefined && (ball?.mass_kg !== undefined || ball?.diameter_m !== undefined);
 
-/** Chooses a ball by its name, and remembers it. */
+/** Chooses a ball by its name, and remembers it; `UNSTATED` states none. */
 export function chooseBall(name: string): void {
-  remember(BALL, name);
-  stateBall(name);
+  const kind = name === UNSTATED ? undefined : name;
+  remember(BALL, kind ?? null);
+  change('ball', { kind, mass_kg: undefined, diameter_m: undefined });
 }
 
 /** States a ball by its name, this time. */

@@ -5,6 +5,9 @@ import { hasText, language, text } from './language.ts';
 /** The name for a key; a key without a message, such as one typed into the address, is its own name. */
 export const nameIn = (id: string, key: string): string => (hasText(id) ? text(id) : key);
 
+/** Stands for the name of a ball that was not stated. */
+export const UNSTATED = 'unstated';
+
 /** A ball in the language of the page. */
 export const ballName = (name: string): string => nameIn(`ball-${name}`, name);
 

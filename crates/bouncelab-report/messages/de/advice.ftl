@@ -16,3 +16,4 @@ advice-allow-implausible = Berichtige es, oder bestehe darauf mit --allow-implau
 page-advice-impact-gains-energy = Entferne ihn, wenn er im Schallbild falsch aussieht.
 page-advice-contact-overlaps = Entferne ihn im Schallbild oder in der Liste der Aufpralle.
 page-advice-restitution-rises = Wähle ihn in der Reihe „Welcher Ball?“.
+page-advice-other-ball-fits-better = { page-advice-restitution-rises }

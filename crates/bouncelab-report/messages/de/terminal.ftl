@@ -1,10 +1,5 @@
 terminal-note = Hinweis: { $text }
 terminal-assumed = Angenommen: { $list }
-terminal-ball-assumed = Der Ball ist nicht angegeben: angenommen ist { $assumed }. Den Ball mit --ball angeben.
-terminal-if-ball = e = { $restitution } und h0 = { $height } für { $ball ->
-        [tennis] einen Tennisball
-       *[steel] eine Stahlkugel von 20 mm
-    }
 analyze-balls-heading = Was die Zeiten zu jedem Ball sagen, verglichen mit dem angegebenen oder angenommenen:
 terminal-cannot-tell = { $what }: nicht zu sagen: { $reason }
 

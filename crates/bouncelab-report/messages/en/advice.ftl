@@ -18,3 +18,4 @@ advice-allow-implausible = Correct it, or accept it with --allow-implausible
 page-advice-impact-gains-energy = Remove it if it looks wrong in the waveform.
 page-advice-contact-overlaps = Remove it in the waveform or in the list of impacts.
 page-advice-restitution-rises = Choose it in the row “Which ball?”.
+page-advice-other-ball-fits-better = { page-advice-restitution-rises }

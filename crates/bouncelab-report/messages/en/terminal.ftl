@@ -2,11 +2,6 @@
 
 terminal-note = Note: { $text }
 terminal-assumed = Assumed: { $list }
-terminal-ball-assumed = The ball was not stated: { $assumed } is assumed. State it with --ball.
-terminal-if-ball = e = { $restitution } and h0 = { $height } for { $ball ->
-        [tennis] a tennis ball
-       *[steel] a steel ball of 20 mm
-    }
 analyze-balls-heading = What the times say of each ball, against the one that was stated or assumed:
 terminal-cannot-tell = { $what }: cannot tell: { $reason }
 

@@ -1,10 +1,5 @@
 terminal-note = Nota: { $text }
 terminal-assumed = Supuesto: { $list }
-terminal-ball-assumed = No se indicó la pelota: se supone { $assumed }. Indíquela con --ball.
-terminal-if-ball = e = { $restitution } y h0 = { $height } para { $ball ->
-        [tennis] una pelota de tenis
-       *[steel] una bola de acero de 20 mm
-    }
 analyze-balls-heading = Lo que los tiempos dicen de cada pelota, frente a la indicada o supuesta:
 terminal-cannot-tell = { $what }: indeterminado: { $reason }
 

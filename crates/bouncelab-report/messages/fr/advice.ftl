@@ -10,9 +10,10 @@ terminal-advice-altitude-not-stated = Indiquez-la avec --altitude.
 terminal-advice-no-channel = Choisissez-en une autre avec --channel.
 terminal-advice-too-many-channels = L’option est --channel.
 
-advice-balls = « bouncelab balls » les montre avec d’autres mots, masse, diamètre et source.
+advice-balls = « bouncelab balls » les montre avec d’autres mots, masse, diamètre et source.
 advice-allow-implausible = Corrigez la valeur, ou acceptez-la avec --allow-implausible
 
 page-advice-impact-gains-energy = Supprimez-le s’il paraît faux dans la forme d’onde.
 page-advice-contact-overlaps = Supprimez-le dans la forme d’onde ou dans la liste des impacts.
 page-advice-restitution-rises = Choisissez-la dans la rangée « Quelle balle ? ».
+page-advice-other-ball-fits-better = { page-advice-restitution-rises }

@@ -67,12 +67,12 @@ session-scatter-table = Dispersion de la restitution à côté de celle des essa
 session-curve-table = Restitution à plusieurs vitesses d’impact
 session-heights = Hauteurs de chute
 session-heights-table = Hauteurs de chute d’après la courbe du groupe
-session-ruler = Les hauteurs indiquées dépassent celles entendues de { $value } (95 % : { $interval }) : le zéro de la règle.
-session-in-words = { $group } : restitution { $value } à { $speed } (95 % : { $interval }), de { $drops ->
+session-ruler = Les hauteurs indiquées dépassent celles entendues de { $value } (95 % : { $interval }) : le zéro de la règle.
+session-in-words = { $group } : restitution { $value } à { $speed } (95 % : { $interval }), de { $drops ->
     [one] 1 essai
    *[other] { $drops } essais
   }, avec une dispersion de { $scatter }.
-session-difference-in-words = { $of } moins { $less } : { $value } (95 % : { $interval }) ; elle est positive avec une probabilité de { $probability }.
+session-difference-in-words = { $of } moins { $less } : { $value } (95 % : { $interval }) ; elle est positive avec une probabilité de { $probability }.
 session-method-scatter = Les opérateurs, et ce qui d’autre ne forme pas de groupes, se dispersent avec une loi a priori de moyenne 0,2 %. Les différences sont regardées une à une. Sont aberrants les essais dont le niveau a une cote z modifiée supérieure à 3,5 (Iglewicz et Hoaglin 1993) ; ils ne sont pas retirés.
 session-column-drop = essai
 session-column-repeatability = répétabilité

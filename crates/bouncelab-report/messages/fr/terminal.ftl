@@ -1,10 +1,5 @@
 terminal-note = Note : { $text }
 terminal-assumed = Supposé : { $list }
-terminal-ball-assumed = La balle n’a pas été indiquée : supposée { $assumed }. Indiquez-la avec --ball.
-terminal-if-ball = e = { $restitution } et h0 = { $height } pour { $ball ->
-        [tennis] une balle de tennis
-       *[steel] une bille d’acier de 20 mm
-    }
 analyze-balls-heading = Ce que les temps disent de chaque balle, par rapport à celle indiquée ou supposée :
 terminal-cannot-tell = { $what } : indéterminé : { $reason }
 
@@ -258,7 +253,7 @@ session-ball-assumed = La traînée dépend de la balle, qui n’a pas été ind
 session-title = Série
 session-speed = Restitution à une vitesse d’impact de { $speed } m/s :
 session-legend =
-    ± : incertitude-type ; commune : la part que tous les essais partagent (traînée, air, balle, opérateurs)
+    ± : incertitude-type ; commune : la part que tous les essais partagent (traînée, air, balle, opérateurs)
     et que plus d’essais ne réduisent pas ; entre essais : dispersion au-delà de leurs propres erreurs ; { $wanted ->
         [none] requis : essais en tout qui réduiraient de moitié l’intervalle
        *[other] requis : essais en tout pour une restitution connue à ± { $wanted } (95 %)

@@ -1,7 +1,8 @@
+import { computed } from '@preact/signals';
 import { catalogue } from '../../state/engine.ts';
 import { chooseBall, isOwnBall, settings } from '../../state/settings.ts';
 import { text } from '../../text/language.ts';
-import { ballName } from '../../text/names.ts';
+import { ballName, UNSTATED } from '../../text/names.ts';
 
 /** Radius of the picture of the largest ball. */
 const LARGEST = 13;
@@ -18,20 +19,25 @@ const MARKINGS: Readonly<Record<string, string>> = {
     'M0-.4.38-.12.24.32h-.48L-.38-.12ZV-1M.38-.12.95-.3M.24.32.6.8M-.24.32-.6.8M-.38-.12-.95-.3',
   basketball: 'M-1 0H1M0-1V1M-.7-.7Q0 0-.7.7M.7-.7Q0 0 .7.7',
   squash: 'M-.3 0h0M.3 0h0',
+  unstated: 'M-.35-.3A.35.35 0 1 1 .2 0Q0 .1 0 .35M0 .65h0',
 };
+
+/** Each ball by its name and diameter; one that is not stated is drawn as large as a tennis ball. */
+const choices = computed(() => {
+  const balls = catalogue.value?.balls ?? [];
+  return balls.length === 0 ? [] : [{ name: UNSTATED, diameter_m: 0.066 }, ...balls];
+});
 
 /** The balls in a row, one tap each: the ball decides drag, so it is asked for where one looks first. */
 export function BallRow() {
-  const balls = catalogue.value?.balls ?? [];
-  const kind = settings.value.ball?.kind;
-  const chosen = isOwnBall(settings.value) ? undefined : (kind ?? balls[0]?.name);
-  const largest = Math.max(...balls.map(({ diameter_m }) => diameter_m));
+  const chosen = isOwnBall(settings.value) ? undefined : (settings.value.ball?.kind ?? UNSTATED);
+  const largest = Math.max(...choices.value.map(({ diameter_m }) => diameter_m));
   return (
     <fieldset class="balls no-print">
       <legend class="small soft">{text('page-ball-row')}</legend>
       {/* Firefox would stop at what scrolls, before the balls themselves. */}
       <div class="row" tabIndex={-1}>
-        {balls.map(({ name, diameter_m }) => (
+        {choices.value.map(({ name, diameter_m }) => (
           <label key={name}>
             <input
               type="radio"

@@ -2,7 +2,7 @@ import { computed, signal } from '@preact/signals';
 import { handFocusOn } from '../../app/focus.ts';
 import { estimated, fixed, NUMBER, rounded, TIME } from '../../format/quantity.ts';
 import { choose, remove } from '../../state/editing.ts';
-import { drop, marks, selected, workspace } from '../../state/workspace.ts';
+import { analysed, drop, marks, place, selected, workspace } from '../../state/workspace.ts';
 import { language, text } from '../../text/language.ts';
 import { CERTAIN, type Mark } from '../../wave/mark.ts';
 
@@ -53,12 +53,15 @@ export function ImpactTable() {
   );
 }
 
-/** Restitutions by the index of their impact. */
+/** Restitutions by the index of their impact, without those in doubt. */
 const restitutions = computed(() => {
+  const doubtful = analysed.value?.doubtful_restitutions[place.value] ?? [];
   const { impacts = [], per_impact } = drop.value ?? {};
   const places = new Map(impacts.map(({ number }, index) => [number, index]));
   return new Map(
-    per_impact?.impacts.map(({ number, restitution }) => [places.get(number), restitution]),
+    per_impact?.impacts
+      .filter(({ number }) => !doubtful.includes(number))
+      .map(({ number, restitution }) => [places.get(number), restitution]),
   );
 });
 

@@ -4,7 +4,7 @@ import { catalogue } from '../../state/engine.ts';
 import { change, chooseBall, forgetSettings, isOwnBall, settings } from '../../state/settings.ts';
 import { analysed } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
-import { ballName, lawName, nameIn } from '../../text/names.ts';
+import { ballName, lawName, nameIn, UNSTATED } from '../../text/names.ts';
 
 const OWN = 'own';
 const ABSOLUTE_ZERO_C = -273.15;
@@ -45,11 +45,11 @@ function Ball() {
   const { kind, mass_kg, diameter_m, contact_time_s } = settings.value.ball ?? {};
   const balls = catalogue.value?.balls ?? [];
   const own = isOwnBall(settings.value);
-  const preset = own ? undefined : balls.find(({ name }) => name === (kind ?? balls[0]?.name));
+  const preset = balls.find(({ name }) => name === kind);
   const known = preset || kind === undefined ? [] : [[kind, kind] as const];
   const choose = (name: string): void => {
     if (name === OWN) {
-      const { mass_kg, diameter_m } = preset ?? {};
+      const { mass_kg, diameter_m } = preset ?? balls[0] ?? {};
       change('ball', { kind: undefined, mass_kg, diameter_m });
     } else chooseBall(name);
   };
@@ -58,9 +58,11 @@ function Ball() {
       <legend>{text('page-settings-ball')}</legend>
       <Choice
         label={text('page-settings-ball')}
-        value={own ? OWN : (kind ?? preset?.name ?? '')}
+        value={own ? OWN : (kind ?? UNSTATED)}
         options={[
-          ...balls.map(({ name }) => [name, ballName(name)] as const),
+          ...[UNSTATED, ...balls.map(({ name }) => name)].map(
+            (name) => [name, ballName(name)] as const,
+          ),
           ...known,
           [OWN, text('page-settings-own')],
         ]}

@@ -3,7 +3,7 @@ import { catalogue } from '../../state/engine.ts';
 import { isOwnBall, settings } from '../../state/settings.ts';
 import { refusedSettings } from '../../state/workspace.ts';
 import { language, text } from '../../text/language.ts';
-import { ballName } from '../../text/names.ts';
+import { ballName, UNSTATED } from '../../text/names.ts';
 import { SettingsForm } from './SettingsForm.tsx';
 
 /** Stated and assumed quantities in one line, which unfolds into a form. */
@@ -37,9 +37,8 @@ const unlessStated = (stated: boolean): string => (stated ? '' : ` (${text('page
 
 function ballInWords(): string {
   const { kind, mass_kg, diameter_m } = settings.value.ball ?? {};
-  const name = kind ?? catalogue.value?.balls[0]?.name ?? '';
   const words = [
-    isOwnBall(settings.value) ? '' : `${ballName(name)}${unlessStated(kind !== undefined)}`,
+    isOwnBall(settings.value) ? '' : ballName(kind ?? UNSTATED),
     mass_kg === undefined ? '' : `${number(1e3 * mass_kg)} g`,
     diameter_m === undefined ? '' : `${number(1e3 * diameter_m)} mm`,
   ];
