@@ -96,12 +96,12 @@ class Spark:
         return sum(worker["state"] == "ALIVE" for worker in self._status().get("workers", []))
 
     def _status(self) -> dict[str, Any]:
-        """What the master says of itself; nothing before it answers."""
+        """What the master says of itself; nothing before it answers in JSON: its first page is HTML."""
         try:
             with urllib.request.urlopen(f"http://{HOST}:{self.web}/json/", timeout=5) as answer:
                 status: dict[str, Any] = json.load(answer)
                 return status
-        except OSError:
+        except (OSError, json.JSONDecodeError):
             return {}
 
     def processes(self) -> list[subprocess.Popen[bytes]]:
