@@ -29,11 +29,17 @@ def test_a_posterior_has_the_numbers_of_the_document(times: bl.Recording) -> Non
 
 
 def test_results_have_the_fields_of_the_document(recording: bl.Recording) -> None:
-    document, drop = recording.to_dict(), recording.drops[0]
-    for name in ("source", "settings", "strongest_band"):
-        assert_same_fields(getattr(recording, name), document[name])
-    for name in ("log_linear_fit", "per_impact", "posterior"):
-        assert_same_fields(getattr(drop, name), drop.to_dict()[name])
+    listed = bl.analyze_times(TIMES_S, draws=500, compare_balls=True, reach=[(2, 0.2)])
+    sources = recording.to_dict()["source"] | listed.to_dict()["source"]  # type: ignore[operator]
+    assert set(sources) == {field.name for field in dataclasses.fields(bl.Source)}
+    for found in (recording, listed):
+        document, drop = found.to_dict(), found.drops[0]
+        for name, value in document["source"].items():  # type: ignore[union-attr]
+            assert getattr(found.source, name) == value
+        for name in ("settings", "strongest_band"):
+            assert_same_fields(getattr(found, name), document[name])
+        for name in ("log_linear_fit", "per_impact", "posterior", "balls"):
+            assert_same_fields(getattr(drop, name), drop.to_dict()[name])
 
 
 def assert_same_fields(found: object, document: object) -> None:

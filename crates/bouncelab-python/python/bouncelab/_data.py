@@ -131,7 +131,7 @@ class Source:
     Attributes
     ----------
     kind : str
-        ``"sound"`` or ``"times"``, of which nothing else is known.
+        ``"sound"`` or ``"times"``, a list of times. What is of the other kind is ``None``.
     format : str or None
         Format of the file, for people.
     sample_rate_hz : int or None
@@ -144,6 +144,14 @@ class Source:
         Length in s.
     onsets : int or None
         How many sounds stand out of the background.
+    program : str or None
+        The program that exported the list, and its kind of export, if they are known.
+    by_threshold : bool or None
+        Whether each time is that at which the sound exceeded a threshold.
+    of_intervals : bool or None
+        Whether the times are sums of listed intervals.
+    notes : mapping or None
+        What the file states of the measurement, by field.
 
     Examples
     --------
@@ -151,6 +159,8 @@ class Source:
     >>> sound = bl.synthesize(bounces=8, seed=1)
     >>> bl.analyze(sound.samples, sound.sample_rate_hz, draws=None).source.channels
     1
+    >>> bl.analyze(b"interval (s)\\n0.5\\n0.4\\n0.3", name="list.csv", draws=None).source.of_intervals
+    True
     """
 
     kind: str
@@ -160,6 +170,10 @@ class Source:
     channel: int | None = None
     duration_s: float | None = None
     onsets: int | None = None
+    program: str | None = None
+    by_threshold: bool | None = None
+    of_intervals: bool | None = None
+    notes: Mapping[str, str] | None = None
 
 
 @dataclass(frozen=True, slots=True)
