@@ -142,15 +142,16 @@ describe('the same document as the command line', () => {
     expectSameDocument(times, settings, ...words);
   });
 
-  test('of impacts that were taken out and added by hand', () => {
+  test('of an impact that was taken out and added elsewhere by hand', () => {
     const { path } = synth(join(place, 'edited.wav'), '--seed', '5');
     const found = detected(path);
     const { impacts = [], probability = 0 } = found.drops[0] ?? {};
     const gone = impacts[4]?.time_s ?? 0;
-    const added = (impacts.at(-1)?.time_s ?? 0) + 0.03;
+    // Moved a little, as by hand: draws for a drop that no impact fits depend on the last bits of its times.
+    const added = gone + 1e-4;
     const unknown = { time_sd_s: null, level_db: null, quiet_before_s: null, ln_alike: null };
     const byHand = { number: 0, time_s: added, probability: 1, ...unknown };
-    const edited = impacts.filter((_, index) => index !== 4).concat(byHand);
+    const edited = impacts.toSpliced(4, 1, byHand);
     const drops = [{ impacts: edited, probability, edited: true }];
     const { document } = analyse({ ...request(path, found, {}), drops });
     const words = ['--exclude', `${gone}s`, '--include', `${added}s`];
