@@ -72,10 +72,13 @@ def test_contents_and_notes_go_along(session_of_spark: SparkSession, few: Path, 
     assert rows(by_content) == rows(by_path)
     fields = ["surface", "operator"]
     means = study(session_of_spark.read.parquet(f"{by_path}/*"), fields, compare_at_m_s=1.5).collect()
-    found = {tuple(row[field] for field in fields): row["restitution"] for row in means}
     groups = batch.study(by_path, by=fields, compare_at_m_s=1.5)["study"]["groups"]  # type: ignore[index,call-overload]
-    levels = [tuple(group["levels"][field] for field in fields) for group in groups]  # type: ignore[union-attr,index,call-overload]
-    assert found == dict(zip(levels, [group["restitution"]["value"] for group in groups], strict=True))  # type: ignore[union-attr,index,call-overload]
+    together = {tuple(group["levels"][field] for field in fields): group["restitution"] for group in groups}  # type: ignore[union-attr,index,call-overload]
+    assert {tuple(row[field] for field in fields) for row in means} == together.keys()
+    for row in means:
+        restitution = together[tuple(row[field] for field in fields)]
+        assert row["restitution"] == pytest.approx(restitution["value"], abs=0.02 * restitution["sd"])
+        assert row["restitution_sd"] == pytest.approx(restitution["sd"], rel=0.05)
 
 
 def test_what_fails_becomes_a_row(

@@ -120,7 +120,10 @@ class _Task:
 
 
 def study(results: DataFrame, by: Iterable[str], *, compare_at_m_s: float) -> DataFrame:
-    """Return the restitution of each group of drops: that of :func:`bouncelab.batch.study`.
+    """Return the restitution of each group of drops, by the drops of this group alone.
+
+    :func:`bouncelab.batch.study` fits all groups as one model, in which they share balls and operators. The
+    restitutions of the two differ by little of their uncertainty.
 
     Parameters
     ----------
