@@ -241,7 +241,7 @@ test('what is no recording is refused in words, and the next one is opened', asy
         text: await refusal(['Dear diary, today I dropped a ball.'], 'diary.doc'),
         noise: await refusal([noise], 'noise.mp3'),
         broken: await refusal([bytes(broken)], 'broken.m4a'),
-        times: await refusal(['1.0\n0.5\n'], 'times.txt'),
+        times: await refusal(['1.0\n1.0\n'], 'times.txt'),
         setting: await lab
           .open(new File([bytes(base64)], 'twelve.wav'))
           .then((recording) =>

@@ -7,7 +7,7 @@ import { newContext } from './harness/browser.ts';
 import { fixture } from './harness/fixture.ts';
 import { bouncelab, folder as scratch, synth } from './harness/program.ts';
 import { violationsInBothThemes } from './support/layout.ts';
-import { answers, dropFile, open, tryDemo } from './support/page.ts';
+import { answers, dropFile, open, settled, tryDemo } from './support/page.ts';
 import { cafOf, drop, samplesOf, TRUTH } from './support/sounds.ts';
 
 const here = fixture();
@@ -62,7 +62,7 @@ test('another ball than was stated is noticed, and chosen where the warning says
   const row = on.getByRole('group', { name: 'Which ball?' });
   await row.getByText('tennis', { exact: true }).click();
   await warning.waitFor({ state: 'detached' });
-  await answers(on);
+  await settled(on);
   expect(await warning.count()).toBe(0);
 });
 
