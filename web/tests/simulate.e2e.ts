@@ -27,13 +27,13 @@ test('a slider changes the words and the address, and the address the sliders', 
   await page.getByText('There is no air, so there is no terminal speed.').waitFor();
   expect(await page.getByLabel('Air pressure').isDisabled()).toBe(true);
   await page.goto(`${here.url}#simulate?e=0.8&body=mars`);
-  await expect.poll(() => page.getByLabel(/^Restitution/).inputValue()).toBe('0.8');
+  await expect.poll(() => page.getByLabel(/^Restitution \(/).inputValue()).toBe('0.8');
   await expect.poll(() => page.getByLabel('Where').inputValue()).toBe('mars');
 });
 
 test('runs are kept, compared and removed', async () => {
   for (const restitution of ['0.8', '0.85', '0.9', '0.95']) {
-    await page.getByLabel(/^Restitution/).fill(restitution);
+    await page.getByLabel(/^Restitution \(/).fill(restitution);
     await page.getByRole('button', { name: 'Keep this run' }).click();
   }
   // Three at most: more lines than that nobody tells apart.
@@ -51,7 +51,7 @@ test('a simulated drop is analysed as if it were real, and says what was put in'
   expect(Math.abs(fell.value - 30.5)).toBeLessThan(3.5 * fell.sd);
 
   await follow(page, 'Simulate');
-  await page.getByLabel(/^Restitution/).fill('0.85');
+  await page.getByLabel(/^Restitution \(/).fill('0.85');
   await page.getByRole('button', { name: 'Compare with the measurement' }).click();
   await page.getByText(/It is compared with the measurement now/).click();
   await page.getByRole('tab', { name: 'Compare' }).click();

@@ -91,7 +91,7 @@ test('two simulated drops', async () => {
   const drawn = (): Promise<string> =>
     figure.evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
   const before = await drawn();
-  await page.getByLabel(/^Restitution/).fill('0.85');
+  await page.getByLabel(/^Restitution \(/).fill('0.85');
   await page.getByText(/It bounces 17 times/).waitFor();
   // The figures follow the words.
   await expect.poll(drawn).not.toBe(before);
