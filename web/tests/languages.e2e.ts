@@ -120,7 +120,7 @@ describe.each(LANGUAGES.filter((code) => code !== 'en'))('in the language %s', (
     expect((await content('PNG')).slice(1, 4)).toBe('PNG');
     expect(await content(words('page-keep-csv'))).toMatch(/^recording,drop,/);
     const document = JSON.parse(await content(words('page-keep-json')));
-    expect(document.drops[0].diagnostics[0].message).not.toMatch(ENGLISH);
+    expect(document.settings.assumptions[0].message).not.toMatch(ENGLISH);
   });
 
   test('what is refused is said in it, and in English when that is chosen', async () => {

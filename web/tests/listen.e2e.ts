@@ -123,7 +123,7 @@ test('if it is wanted, the page vibrates when the ball rests and speaks the answ
   };
   await expect.poll(() => announcedBy(page)).toEqual(once);
   // Another ball has another answer, but it falls no second time.
-  await page.locator('.balls').getByText(words('ball-golf')).click();
+  await page.locator('.balls label:has(.golf)').click();
   await expect
     .poll(() => page.locator('.summary .second').textContent())
     .not.toBe(sentences.at(-1));
