@@ -113,6 +113,11 @@ pub(super) const MANY_FLIGHTS: usize = 16;
 pub(super) const SCATTER_LOG_SD: f64 = 0.85;
 pub(super) const SCATTER_SKEW: f64 = 0.15;
 
+/// Least scatter of ln e from impact to impact. The best surfaces repeat to a few parts in ten thousand, and no law holds
+/// better: with less, a drop that was simulated without any scatter would determine combinations of drag and law to more
+/// digits than either is known.
+pub(super) const MIN_SCATTER: f64 = 2e-4;
+
 /// Least derivative of ln(launch speed) by ln(impact speed) in Newton's method, which needs a slope.
 pub(super) const MIN_KEPT: f64 = 0.1;
 
