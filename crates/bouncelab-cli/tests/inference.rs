@@ -155,7 +155,7 @@ fn bad_input_is_answered() {
         ("0.3\n0.86\n0.86\n1.2\n", 1, "0.86"),
         ("0.3\n1.2\n0.86\n1.5\n", 1, "0.86"),
         ("0\n460\n888\n1285\n1657\n", 1, "milliseconds"),
-        ("0\n0.2\n0.45\n0.78\n1.2\n", 0, "gain speed"),
+        ("0\n0.2\n0.45\n0.78\n1.2\n", 1, "do not get shorter"),
     ] {
         let folder = TempDir::new().unwrap();
         let output = bouncelab()

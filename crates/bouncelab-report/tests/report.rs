@@ -15,8 +15,8 @@ use bouncelab_report::report::{self, Markdown, Page, Provenance, ReportInput};
 const HOSTILE: &str = "a\"><script>alert('1')</script><img src=x onerror=alert(2)>--> ](javascript:x) `| $x$ & \n# b.wav";
 
 fn setup() -> Setup {
-    let mut settings = Settings::default();
-    settings.inference.draws = Some(400);
+    let mut settings = Settings::of_ball("table-tennis-40");
+    settings.inference.draws = Some(1000);
     settings.resolve().unwrap()
 }
 

@@ -677,7 +677,7 @@ mod tests {
 
     #[test]
     fn gravity_is_reported_where_it_is_inferred() {
-        let mut options = options();
+        let mut options = Options::default();
         let is_reported = |options: &Options| {
             let lists = of_drop(&drop_of(options), options, &Translator::english());
             let rows = list(&lists, Method::Inference);

@@ -76,7 +76,7 @@ fn of_drops(translator: &Translator) -> Vec<Named> {
                 "residual (standard deviations)",
                 "outlier, less weight",
             ],
-            "budget" => &["choice of law"],
+            "budget" => &["scatter of restitution"],
             "models" => &["probability", "drop height (cm)"],
             "truncation" => &["flights used", "drop height (cm)", "log-linear fit"],
             _ => &["speed (m/s)", "drag / weight"],
