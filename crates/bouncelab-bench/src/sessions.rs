@@ -133,6 +133,7 @@ fn held(estimate: &Estimate, truth: f64) -> Held {
 /// What is asked of a study, by name.
 type Answers = Vec<(&'static str, Held)>;
 
+#[expect(clippy::too_many_lines, reason = "one question after the other")]
 fn studied(seed: u64) -> Option<Answers> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let options = Options::default();

@@ -362,7 +362,7 @@ mod tests {
         let file = SessionFile::read(&path).unwrap();
         assert_eq!(file.title.as_deref(), Some("Class 9b"));
         assert_eq!(file.settings.air.drag.as_deref(), Some("morrison"));
-        assert_eq!(file.settings.inference.known.unwrap()[&Input::Mass], 0.001);
+        assert!((file.settings.inference.known.unwrap()[&Input::Mass] - 0.001).abs() < 1e-12);
         assert_eq!(file.all["temperature"].text, "21.5");
         assert_eq!(file.balls["red"]["kind"].text, "table-tennis-40");
         let (name, line, notes) = &file.recordings.rows[0];

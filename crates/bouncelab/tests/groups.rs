@@ -160,7 +160,7 @@ fn what_drops_share_does_not_average_out() {
     let mut world = World::new(3);
     let drops: Vec<CurveEvidence> = (0..200)
         .map(|place| {
-            let level = world.normal(0.001) - 0.01 * (place % 2) as f64;
+            let level = world.normal(0.001) - 0.01 * f64::from(place % 2);
             let mut drop = world.drop(&[0.7, 1.4], falling, level, 0.001);
             for reading in &mut drop.readings {
                 // One standard deviation of the contact time is 0.5 % of e.

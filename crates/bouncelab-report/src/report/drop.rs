@@ -83,10 +83,8 @@ pub fn drop_details(drop: &Drop, settings: &Options, translator: &Translator) ->
     parts.retain(|section| !section.is_empty());
     if let Ok(posterior) = &drop.posterior {
         parts.push(part.uncertainty(posterior));
-        if posterior.models.len() > 1 {
-            if posterior.models.len() > 1 {
-                parts.push(part.laws(posterior));
-            }
+        if posterior.models.len() > 1 && posterior.models.len() > 1 {
+            parts.push(part.laws(posterior));
         }
         parts.push(part.contraction(posterior));
         parts.push(part.fit(posterior));

@@ -21,12 +21,12 @@ const SOFT_MAX_KG_M3: f64 = 2000.0;
 const HOLLOW_PRESSURE_PA: f64 = 1.0e5;
 const HOLLOW_REL_SD: f64 = 0.5;
 
-/// Modulus E* of solid balls of rubber, plastics and wood, Pa: the geometric mean of a rubber ball (5 MPa) and of a hard
-/// plastic on a wooden floor (1 GPa), both within one standard uncertainty.
+/// Modulus E* of solid balls of rubber, plastics and wood, Pa: the geometric mean of a rubber ball (5 `MPa`) and of a hard
+/// plastic on a wooden floor (1 `GPa`), both within one standard uncertainty.
 const SOFT_MODULUS_PA: f64 = 7.0e7;
 const SOFT_REL_SD: f64 = 1.1;
 
-/// Modulus E* of glass and metal on a floor, Pa: the geometric mean of wood (1 GPa) and stone (60 GPa), both within 1.2
+/// Modulus E* of glass and metal on a floor, Pa: the geometric mean of wood (1 `GPa`) and stone (60 `GPa`), both within 1.2
 /// standard uncertainties.
 const HARD_MODULUS_PA: f64 = 8.0e9;
 const HARD_REL_SD: f64 = 0.7;

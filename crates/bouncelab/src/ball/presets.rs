@@ -175,7 +175,7 @@ const MEASURED_BY_OTHERS: f64 = 0.3;
 const INFLATED: f64 = 0.3;
 /// Of glass and steel: floors from wood to stone, by Hertz's law.
 const HARD: f64 = 0.7;
-/// Of a rubber ball, by Hertz's law with a modulus E* of 2 to 8 MPa.
+/// Of a rubber ball, by Hertz's law with a modulus E* of 2 to 8 `MPa`.
 const RUBBER: f64 = 0.4;
 
 static PRESETS: [Preset; 14] = [

@@ -1,6 +1,6 @@
 //! The curve of a group and the scatter of its drops.
 //!
-//! Drop i of a group reads its curve through B_i β + (u_i + o) 1 + L_i z: β are the coefficients of the group, u_i ~ N(0, τ²)
+//! Drop i of a group reads its curve through `B_i` β + (`u_i` + o) 1 + `L_i` z: β are the coefficients of the group, `u_i` ~ N(0, τ²)
 //! is the level of the drop, o that of its operator, z the inputs that all drops of the ball share. Given τ all of this is
 //! linear and Gaussian. τ is integrated out over a grid with its marginal likelihood, since a few drops hardly tell it; so is
 //! the scatter of the operators. z keeps the uncertainty that it has in a single drop: an error of the drag law or of the

@@ -15,6 +15,7 @@ const OF_ZERO: f64 = 0.5;
 const TELLING: f64 = 0.02;
 
 /// A height, and what of its variance it shares with the others.
+#[expect(clippy::struct_field_names, reason = "units stand in names")]
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Height {
     height_m: f64,

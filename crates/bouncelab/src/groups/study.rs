@@ -266,6 +266,10 @@ fn common_speed_m_s(ranges: &[[f64; 2]], whole: [f64; 2]) -> f64 {
         .unwrap_or(middle)
 }
 
+/// The ball of a group, which may have no name; `None` if the group mixes balls.
+#[expect(clippy::option_option, reason = "a ball without a name is one ball")]
+type BallOfGroup = Option<Option<usize>>;
+
 /// All groups, fitted.
 struct Fitting<'a> {
     drops: &'a [StudyDrop],
@@ -274,8 +278,8 @@ struct Fitting<'a> {
     /// The effects that each drop has.
     effects_of: Vec<Vec<usize>>,
     groups: Vec<GroupFit>,
-    /// The ball of each group; `None` if it mixes balls.
-    balls: Vec<Option<Option<usize>>>,
+    /// The ball of each group.
+    balls: Vec<BallOfGroup>,
     inputs: Vec<Inputs>,
     effects: Vec<(f64, Effects)>,
     scatters: Vec<Estimate>,
@@ -289,7 +293,7 @@ impl<'a> Fitting<'a> {
         basis: Basis,
     ) -> Option<Self> {
         let ball = |place: usize| asked.ball.and_then(|factor| drops[place].levels[factor]);
-        let balls: Vec<Option<Option<usize>>> = members
+        let balls: Vec<BallOfGroup> = members
             .values()
             .map(|places| {
                 let of: BTreeSet<Option<usize>> = places.iter().map(|&place| ball(place)).collect();

@@ -79,6 +79,10 @@ impl Answers {
         self.points.iter().map(number).collect()
     }
 
+    #[expect(
+        clippy::too_many_lines,
+        reason = "one field of the result after the other"
+    )]
     pub(super) fn inference(
         self,
         posterior: SampledPosterior,

@@ -51,6 +51,7 @@ pub(super) struct Numbering {
 }
 
 /// Speeds of the impacts that were followed by a flight, m/s.
+#[expect(clippy::struct_field_names, reason = "units stand in names")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct FittedSpeeds {
     /// That of the first impact detected.

@@ -2,7 +2,7 @@
 //!
 //! In the coordinates of the law, ln e* and standard normals n, and the shared inputs z, the posterior is nearly Gaussian with
 //! the precision Λ of its draws. The prior of the normals has the precision D = 1, that of ln e* is flat, so the likelihood
-//! of the law given z has the precision Λ_cc - D. With the Cholesky root L of Λ_cc and L⁻¹ D L⁻ᵀ = Q μ Q', the rows of
+//! of the law given z has the precision `Λ_cc` - D. With the Cholesky root L of `Λ_cc` and L⁻¹ D L⁻ᵀ = Q μ Q', the rows of
 //! (1 - μ)^½ Q' L' are independent readings; μ is the share of the prior in each.
 
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
@@ -40,10 +40,10 @@ impl Posterior {
         let readings = draws.readings(effective)?;
         let mut inputs = [0.0; SHARED_INPUTS];
         let mut inputs_covariance = [[0.0; SHARED_INPUTS]; SHARED_INPUTS];
-        for input in 0..SHARED_INPUTS {
+        for (input, row) in inputs_covariance.iter_mut().enumerate() {
             inputs[input] = draws.mean[draws.coordinates + input];
-            for other in 0..SHARED_INPUTS {
-                inputs_covariance[input][other] =
+            for (other, covariance) in row.iter_mut().enumerate() {
+                *covariance =
                     draws.covariance[(draws.coordinates + input, draws.coordinates + other)];
             }
         }
