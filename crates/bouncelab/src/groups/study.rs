@@ -267,7 +267,6 @@ fn common_speed_m_s(ranges: &[[f64; 2]], whole: [f64; 2]) -> f64 {
 }
 
 /// The ball of a group, which may have no name; `None` if the group mixes balls.
-#[expect(clippy::option_option, reason = "a ball without a name is one ball")]
 type BallOfGroup = Option<Option<usize>>;
 
 /// All groups, fitted.
