@@ -294,7 +294,7 @@ fn report(scenario: Scenario, all: &[Ranks]) -> Vec<String> {
     histograms
 }
 
-/// `calibrate [DROPS [FOLDER]]`: prints the table; or `calibrate PART ...` of [`misfit`], [`tape`] or [`recordings`].
+/// `calibrate [DROPS [FOLDER]]`: prints the table; or `calibrate PART ...` of `scenarios`, `tape` or `recordings`.
 ///
 /// # Errors
 ///

@@ -1,4 +1,4 @@
-//! What people state wrongly, or not at all, and surfaces that no law describes: drops simulated by [`crate::world`].
+//! What people state wrongly, or not at all, and surfaces that no law describes: drops simulated by the module `world`.
 
 use bouncelab::settings::{BallSettings, Settings};
 use rand::RngExt;

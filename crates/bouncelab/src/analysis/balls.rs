@@ -35,13 +35,13 @@ impl Options {
     /// The same with a comparison of the preset balls, which takes as long as an inference of each.
     ///
     /// ```
-    /// use bouncelab::{Options, analyze_times, ball, demo};
+    /// use bouncelab::{Options, analyze_times, demo};
     ///
     /// let times_s: Vec<f64> = demo::history()?.impact_events().map(|strike| strike.time_s).collect();
     /// let options = Options::default().with_ball_comparison();
     /// let balls = &analyze_times(&times_s, &options).drops[0].balls;
-    /// assert_eq!(balls.len(), ball::presets().len());
-    /// assert!(balls[0].ball.starts_with("table-tennis"));
+    /// // Balls that touch the surface for longer than the last flights are not among them.
+    /// assert!(balls.iter().any(|compared| compared.ball == "table-tennis-40"));
     /// # Ok::<(), bouncelab::Error>(())
     /// ```
     #[must_use]

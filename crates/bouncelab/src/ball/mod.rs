@@ -33,7 +33,7 @@ impl Ball {
     /// A ball of any mass and diameter.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless both are from 1e-20 to 1e20.
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless both are from 1e-20 to 1e20.
     ///
     /// ```
     /// use bouncelab::ball::Ball;

@@ -176,7 +176,7 @@ impl FlightModel {
     ///
     /// ```
     /// use bouncelab::air::{Air, Conditions};
-    /// use bouncelab::ball::Ball;
+    /// use bouncelab::ball::{self, Ball};
     /// use bouncelab::drag::DragLaw;
     /// use bouncelab::flight::{Environment, FlightModel};
     ///
