@@ -4,6 +4,7 @@ use std::fmt::{Display, Write};
 
 use bouncelab::Diagnostic;
 use bouncelab::analysis::{CONFIDENT_PROBABILITY, Source, StrongestBand};
+use bouncelab::diagnostic::Code;
 use bouncelab::settings::Setup;
 use bouncelab_report::messages::Value;
 use bouncelab_report::quantities;
@@ -53,8 +54,11 @@ pub(crate) fn report(analysed: &Analysed, physics: &Setup, details: bool) -> Str
     for diagnostic in &analysed.result.diagnostics {
         line(&mut page, &note(translator().diagnostic(diagnostic)));
     }
-    if !physics.assumptions.is_empty() {
-        line(&mut page, &assumed(&physics.assumptions));
+    // That the ball was not stated, the answer says.
+    let mut assumptions = physics.assumptions.clone();
+    assumptions.retain(|assumption| assumption.code != Code::BallNotStated);
+    if !assumptions.is_empty() {
+        line(&mut page, &assumed(&assumptions));
     }
     page
 }
