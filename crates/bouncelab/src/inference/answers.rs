@@ -108,7 +108,7 @@ impl Answers {
         let rests = rest.len() as f64 >= MIN_SHARE_AT_REST * drops.len() as f64 && !rest.is_empty();
         let of_rest = |number: fn(Rest) -> f64| {
             let numbers = drops.iter().map(|drop| drop.rest.map_or(f64::NAN, number));
-            posterior.estimate(THINNING, numbers).filter(|_| rests)
+            posterior.estimate(every, numbers).filter(|_| rests)
         };
         let (total_time_s, total_path_m) = (of_rest(|it| it.time_s), of_rest(|it| it.path_m));
         let rest = if rests { rest } else { Vec::new() };
