@@ -74,7 +74,12 @@ pub(crate) fn run(arguments: &[String]) -> Result {
                 println!("Each impact is timed {later_ms} ms later than the one before it.");
             }
             None if option == "each" => {}
-            _ => return Err(format!("'{option}' is none of without=DROP, later=MS, each").into()),
+            _ => {
+                return Err(format!(
+                    "'{option}' is no option; the options are without=DROP, later=MS and each"
+                )
+                .into());
+            }
         }
     }
     drops.iter().for_each(warn_of_copies);

@@ -367,7 +367,10 @@ fn known(text: &str) -> Result<(Input, f64), String> {
     let input = inputs.find(|input| input.name() == name.trim());
     let input = input.ok_or_else(|| {
         let names: Vec<&str> = Input::ALL.iter().map(|input| input.name()).collect();
-        format!("\"{name}\" is none of {}", names.join(", "))
+        format!(
+            "\"{name}\" is no input; the inputs are {}",
+            names.join(", ")
+        )
     })?;
     Ok((input, units::share(share.trim())?))
 }

@@ -440,8 +440,8 @@ fn new_names_are_on_the_disk() {
     }
 }
 
-/// So many kills, spread over the calls of a command: the kind of each call, and its number as the process counts that
-/// makes it. Ten that follow each other here are spread over all of them.
+/// A hundred kills, spread over the calls of a command: the kind of each call, and its number among the calls of this kind.
+/// Any ten neighbours of the list are spread over all calls.
 fn kills(calls: &[Call]) -> Vec<[String; 2]> {
     const KILLS: usize = 100;
     let mut counts = BTreeMap::<(&str, &str), usize>::new();

@@ -228,7 +228,7 @@ impl Recording {
             .collect())
     }
 
-    /// The answer of a drop in one line; empty if there is none.
+    /// The answer of a drop in one line; an empty text without an answer.
     fn in_one_line(&self, drop: usize, language: &str) -> Result<String> {
         let options = &self.analyzer.setup.options;
         let translator = translator(language)?;

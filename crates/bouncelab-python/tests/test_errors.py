@@ -46,7 +46,7 @@ WRONG: dict[str, Callable[[], object]] = {
     "channel 0": lambda: bl.analyze(SAMPLES, 44_100, channel=0),
     "no band": lambda: bl.analyze(SAMPLES, 44_100, band_hz=(1.0, 2.0)),
     "a band upside down": lambda: bl.analyze(SAMPLES, 44_100, band_hz=(2000.0, 400.0)),
-    "progress that is none": lambda: bl.analyze(SAMPLES, 44_100, progress=3),  # type: ignore[arg-type]
+    "progress that is a number": lambda: bl.analyze(SAMPLES, 44_100, progress=3),  # type: ignore[arg-type]
     "a name of bytes": lambda: bl.analyze(SAMPLES, 44_100, name=b"x"),  # type: ignore[arg-type]
     "times that fall": lambda: bl.analyze_times([1.0, 0.5, 2.0]),
     "a time twice": lambda: bl.analyze_times([0.0, 0.5, 0.5]),
