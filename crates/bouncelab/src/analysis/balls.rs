@@ -74,6 +74,11 @@ pub(super) fn compare(drop: &Drop, options: &Options) -> Vec<BallComparison> {
     let with = |preset: &Preset| {
         let mut options = options.clone().with_ball(preset);
         options.compares_balls = false;
+        // Neither the impacts nor doubts of the ball are asked for.
+        options
+            .inference
+            .iter_mut()
+            .for_each(|it| it.each_impact = false);
         let found = analyze_impacts(drop.impacts.clone(), &options)
             .posterior
             .ok()?;

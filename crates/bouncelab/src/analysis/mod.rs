@@ -409,10 +409,8 @@ pub fn renumbered(mut impacts: Vec<Impact>) -> Vec<Impact> {
 pub fn analyze_impacts(impacts: Vec<Impact>, options: &Options) -> Drop {
     let (flying, too_close) = contact::flying(&impacts, options.shortest_contact_s());
     let posterior = posterior(flying, options);
-    let other_ball = options
-        .doubts_ball()
-        .then(|| balls::better(flying, options))
-        .filter(|_| posterior.is_ok());
+    let doubts_ball = posterior.is_ok() && options.doubts_ball();
+    let other_ball = doubts_ball.then(|| balls::better(flying, options));
     let options = &options.with_ball_of(posterior.as_ref().ok());
     let per_impact = per_impact(flying, options);
     let first = posterior.as_ref().map_or(0, Posterior::first_impact);

@@ -3,12 +3,10 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::evidence::{CurveEvidence, SHARED_INPUTS};
+use crate::restitution::WALK;
 
 /// Distance of the knots of the curve in ln v: an octave.
 const KNOTS: f64 = std::f64::consts::LN_2;
-
-/// Standard deviation of the change of d ln e/d ln v for a factor e in speed, as in the law `smooth`.
-const WALK: f64 = 0.05;
 
 /// Standard deviations of the mean of ln e and of its slope over the range of speeds: any ball.
 const LEVEL: f64 = 1.0;
@@ -16,7 +14,8 @@ const SLOPE: f64 = 0.3;
 
 /// Scatters between drops, relative, at which sums are kept: zero, and then each larger by [`SCATTER_STEP`].
 pub(super) const SCATTERS: usize = 33;
-const LEAST_SCATTER: f64 = 1e-5;
+/// The least of them above zero.
+const MIN_SCATTER: f64 = 1e-5;
 /// ln of the factor between neighbours.
 pub(super) const SCATTER_STEP: f64 = 0.335;
 
@@ -24,7 +23,7 @@ pub(super) const SCATTER_STEP: f64 = 0.335;
 pub(super) fn scatter_at(index: usize) -> f64 {
     match index {
         0 => 0.0,
-        _ => LEAST_SCATTER * (SCATTER_STEP * (index as f64 - 1.0)).exp(),
+        _ => MIN_SCATTER * (SCATTER_STEP * (index as f64 - 1.0)).exp(),
     }
 }
 

@@ -220,12 +220,12 @@ impl Answers {
 
     fn drag(&self, posterior: &SampledPosterior, coefficients: &[f64]) -> Option<Drag> {
         let coefficient = posterior.estimate(1, coefficients.iter().copied())?;
-        let best = &posterior.media[posterior.candidates[0].medium];
+        let best = posterior.medium_of(0);
         let reynolds = fastest_reynolds(posterior, best);
         let nominal = posterior.environment.drag.coefficient(reynolds).ok()?;
         let of_draw = posterior.draws.iter().zip(&self.points);
         let terminal = of_draw.step_by(THINNING).map(|(draw, point)| {
-            let medium = &posterior.media[posterior.candidates[draw.candidate].medium];
+            let medium = posterior.medium_of(draw.candidate);
             terminal_speed(&medium.model, point.drag_strength).unwrap_or(f64::NAN)
         });
         Some(Drag {
@@ -246,7 +246,7 @@ impl Answers {
         let of_draw = posterior.draws.iter().zip(&self.points);
         of_draw
             .map(|(draw, point)| {
-                let medium = &posterior.media[posterior.candidates[draw.candidate].medium];
+                let medium = posterior.medium_of(draw.candidate);
                 let change = point.gravity_m_s2 / medium.gravity_m_s2;
                 stated * change.powf(medium.inputs.gravity_share())
             })

@@ -1,5 +1,7 @@
 //! The candidates: every model of a drop, each with its best fit and its evidence.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::BestFit;
 use super::fit::{self, Fit};
 use super::likelihood::Innovation;
@@ -126,8 +128,7 @@ impl SampledPosterior {
         } else {
             priors.possible_balls.clone()
         };
-        let contact_times_s = balls.iter().map(|possible| possible.known.contact_time_s);
-        let observed = Observed::new(impacts, contact_times_s.fold(f64::INFINITY, f64::min))?;
+        let observed = Observed::new(impacts)?;
         if let Some(release) = priors.release_s {
             within(
                 Quantity::ReleaseTime,
@@ -168,9 +169,7 @@ impl SampledPosterior {
         if posterior.candidates.is_empty() {
             return Err(Error::CannotInfer(InferenceFailure::NoModelFits));
         }
-        let mut candidates = std::mem::take(&mut posterior.candidates);
-        posterior.weigh(&mut candidates);
-        posterior.candidates = candidates;
+        weigh(&mut posterior.candidates);
         Ok(posterior)
     }
 
@@ -270,12 +269,7 @@ impl SampledPosterior {
 
     /// Logarithm of the evidence of all models together, but for a constant of the times.
     pub(super) fn log_evidence(&self) -> f64 {
-        let best = best_evidence(&self.candidates);
-        let relative = self
-            .candidates
-            .iter()
-            .map(|candidate| candidate.log_evidence - best);
-        best + relative.map(f64::exp).sum::<f64>().ln()
+        ln_sum(&self.candidates)
     }
 
     /// The best fit of every model, with the evidence that its curvature suggests (Laplace).
@@ -398,29 +392,6 @@ impl SampledPosterior {
             }
     }
 
-    /// Sorts by evidence, and turns evidence into probability. If the ball was not stated, each ball that the times allow is
-    /// as probable as the others: which laws and errors surfaces have is not known well enough for odds between balls.
-    pub(super) fn weigh(&self, candidates: &mut [Candidate]) {
-        sort_by_number(candidates, |candidate| -candidate.log_evidence);
-        let of_ball = |ball: usize| {
-            let its = candidates.iter().filter(move |it| it.medium == ball);
-            let (sum, greatest) = scaled_sum(its.map(|candidate| candidate.log_evidence));
-            sum.ln() + greatest
-        };
-        let balls: Vec<f64> = (0..self.media.len()).map(of_ball).collect();
-        let most = balls.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let allowed = balls.iter().filter(|ball| **ball >= most - ALLOWED_BALL);
-        let share = 1.0 / allowed.count().max(1) as f64;
-        for candidate in candidates {
-            let ball = balls[candidate.medium];
-            candidate.weight = if ball >= most - ALLOWED_BALL {
-                (candidate.log_evidence - ball).exp() * share
-            } else {
-                0.0
-            };
-        }
-    }
-
     /// The fit of the most probable candidate; `None` if it is not valid.
     pub(super) fn best_fit(&self) -> Option<BestFit> {
         let candidate = self.candidates.first()?;
@@ -434,21 +405,15 @@ impl SampledPosterior {
         })
     }
 
-    /// Number of balls that the times allow; 1 if the ball was stated.
-    pub(super) fn allowed_balls(&self, candidates: &[Candidate]) -> usize {
-        let is_allowed = |ball: &usize| {
-            let mut its = candidates.iter().filter(|it| it.medium == *ball);
-            its.any(|it| it.weight > 0.0)
-        };
-        (0..self.media.len()).filter(is_allowed).count().max(1)
+    /// The ball of a candidate, by the index of the candidate, in its air.
+    pub(super) fn medium_of(&self, candidate: usize) -> &Medium {
+        &self.media[self.candidates[candidate].medium]
     }
 
     /// Logarithm of the evidence of a kind of ball, but for a constant of the times; -∞ if it explains nothing.
     pub(super) fn log_evidence_of_ball(&self, kind: &str) -> f64 {
         let of_kind = |candidate: &&Candidate| self.media[candidate.medium].kind == kind;
-        let its = self.candidates.iter().filter(of_kind);
-        let (sum, greatest) = scaled_sum(its.map(|candidate| candidate.log_evidence));
-        sum.ln() + greatest
+        ln_sum(self.candidates.iter().filter(of_kind))
     }
 
     /// Frees the memory of the flights, which is that of the draws again; they are computed anew when they are needed.
@@ -556,8 +521,46 @@ fn highest_posterior(candidates: &[Candidate], numbering: usize) -> f64 {
         .fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Sum of exp(x - greatest), and the greatest.
-fn scaled_sum(logs: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
-    let greatest = logs.clone().fold(f64::NEG_INFINITY, f64::max);
-    (logs.map(|log| (log - greatest).exp()).sum(), greatest)
+/// Logarithm of the sum of the evidences.
+pub(super) fn ln_sum<'a>(candidates: impl IntoIterator<Item = &'a Candidate> + Clone) -> f64 {
+    let best = best_evidence(candidates.clone());
+    let relative = candidates
+        .into_iter()
+        .map(|it| (it.log_evidence - best).exp());
+    best + relative.sum::<f64>().ln()
+}
+
+/// Sorts by evidence, and turns evidence into probability. If the ball was not stated, each ball that the times allow is
+/// as probable as the others: which laws and errors surfaces have is not known well enough for odds between balls.
+pub(super) fn weigh(candidates: &mut [Candidate]) {
+    sort_by_number(candidates, |candidate| -candidate.log_evidence);
+    let balls: BTreeSet<usize> = candidates
+        .iter()
+        .map(|candidate| candidate.medium)
+        .collect();
+    let its = |ball: usize| candidates.iter().filter(move |it| it.medium == ball);
+    let evidences: BTreeMap<usize, f64> =
+        balls.into_iter().map(|it| (it, ln_sum(its(it)))).collect();
+    let most = evidences
+        .values()
+        .copied()
+        .fold(f64::NEG_INFINITY, f64::max);
+    let is_allowed = |evidence: f64| evidence >= most - ALLOWED_BALL;
+    let allowed = evidences.values().filter(|evidence| is_allowed(**evidence));
+    let share = 1.0 / allowed.count().max(1) as f64;
+    for candidate in candidates {
+        let of_ball = evidences[&candidate.medium];
+        candidate.weight = if is_allowed(of_ball) {
+            (candidate.log_evidence - of_ball).exp() * share
+        } else {
+            0.0
+        };
+    }
+}
+
+/// Number of balls that the times allow; 1 if the ball was stated.
+pub(super) fn allowed_balls(candidates: &[Candidate]) -> usize {
+    let weighing = candidates.iter().filter(|candidate| candidate.weight > 0.0);
+    let balls: BTreeSet<usize> = weighing.map(|candidate| candidate.medium).collect();
+    balls.len().max(1)
 }

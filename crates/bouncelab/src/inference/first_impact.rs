@@ -4,11 +4,11 @@
 //! first impact, and the flight from it fits the others badly. So the drop without it is a numbering of its own, weighed like
 //! the others.
 
-use super::candidates::{Candidate, SampledPosterior};
+use super::candidates::{Candidate, SampledPosterior, ln_sum};
 use super::observed::Observed;
 use super::parameters::{
-    DOUBTFUL_FIRST, LN_INTERVALS, LN_OTHER_SOUND, MAX_ODD_SECOND, MIN_REST, ODD_SECOND_FALL,
-    OTHER_SOUND_ALIKE,
+    DOUBTFUL_FIRST, LN_INTERVALS, LN_NORMAL, LN_OTHER_SOUND, MAX_ODD_SECOND, MIN_REST,
+    ODD_SECOND_FALL, OTHER_SOUND_ALIKE,
 };
 use super::residual::missed_before_s;
 use crate::diagnostic::{Code, Diagnostic};
@@ -32,12 +32,10 @@ impl Observed {
             return 0.0;
         };
         let interval_s = self.impacts[0].time_s - other.time_s;
-        // The likelihood of a time that is not left out leaves out this constant.
-        let normal = 0.5 * (2.0 * std::f64::consts::PI).ln();
         // Of the other sounds some are impacts of the same ball.
         let unlike = (1.0 - OTHER_SOUND_ALIKE) * (-other.ln_alike.unwrap_or(0.0)).exp();
         LN_OTHER_SOUND + (OTHER_SOUND_ALIKE + unlike).ln() - (LN_INTERVALS * interval_s).ln()
-            + normal
+            + LN_NORMAL
     }
 }
 
@@ -70,7 +68,7 @@ impl SampledPosterior {
         if with_first.is_empty() {
             return;
         }
-        let ln_odds = ln_sum(&others) - ln_sum(&with_first);
+        let ln_odds = ln_sum(others.iter().copied()) - ln_sum(with_first.iter().copied());
         let best = others
             .into_iter()
             .max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence));
@@ -125,11 +123,4 @@ impl SampledPosterior {
                 .with("height_m", model.drop_height_m(&point)?),
         )
     }
-}
-
-/// Logarithm of the sum of the evidences.
-fn ln_sum(candidates: &[&Candidate]) -> f64 {
-    let logs = candidates.iter().map(|candidate| candidate.log_evidence);
-    let best = logs.clone().fold(f64::NEG_INFINITY, f64::max);
-    best + logs.map(|log| (log - best).exp()).sum::<f64>().ln()
 }

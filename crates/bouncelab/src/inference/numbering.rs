@@ -125,7 +125,7 @@ mod tests {
                 Impact::new(number, 0.5 * (1.0 - ratio.powi(place)) / (1.0 - ratio))
             })
             .collect();
-        let found = plausible(&Observed::new(&impacts, 1e-3).unwrap());
+        let found = plausible(&Observed::new(&impacts).unwrap());
         let flights = |observed: &Observed| observed.intervals.iter().map(|i| i.flights).collect();
         found.iter().map(flights).collect()
     }

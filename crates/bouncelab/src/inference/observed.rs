@@ -32,7 +32,7 @@ impl Observed {
     /// # Errors
     /// [`Error::CannotInfer`] with fewer than two impacts or if two are closer than a contact,
     /// [`Error::NotInOrder`] and [`Error::OutOfRange`] if they are not in order.
-    pub(super) fn new(impacts: &[Impact], contact_time_s: f64) -> Result<Self> {
+    pub(super) fn new(impacts: &[Impact]) -> Result<Self> {
         if impacts.len() < 2 {
             return Err(Error::CannotInfer(InferenceFailure::TooFewImpacts {
                 impacts: impacts.len(),
@@ -49,15 +49,13 @@ impl Observed {
         }
         let sigma_stated = stated.is_some();
         let sigma_s = stated.unwrap_or_else(|| vec![read_off_s(impacts); impacts.len()]);
-        let observed = Self {
+        Ok(Self {
             impacts: impacts.to_vec(),
             intervals,
             sigma_s: sigma_s.into_iter().map(|s| s.max(MIN_TIME_SD_S)).collect(),
             sigma_stated,
             other_sound: None,
-        };
-        observed.check_contact_time(contact_time_s)?;
-        Ok(observed)
+        })
     }
 
     /// Whether the contact of a ball ends before its next one begins.

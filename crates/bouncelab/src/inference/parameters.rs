@@ -225,6 +225,9 @@ pub(super) const MAX_MISSED_FIRST: usize = 12;
 
 // ---- Whether the first impact belongs to the drop.
 
+/// ln (2 π)^1/2: the constant of a normal density, which the likelihood leaves out of each time and each stated number.
+pub(super) const LN_NORMAL: f64 = 0.918_938_533_204_672_7;
+
 /// Logarithm of the probability that the first impact detected is another sound: one in ten.
 pub(super) const LN_OTHER_SOUND: f64 = -2.3;
 

@@ -5,7 +5,7 @@ use std::array;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::candidates::{Candidate, SampledPosterior, best_evidence};
+use super::candidates::{Candidate, SampledPosterior, allowed_balls, best_evidence, weigh};
 use super::fit;
 use super::order::order;
 use super::parameters::{MANY_FLIGHTS, MIN_PART_OF_DRAWS, PRUNE_BELOW, RELEVANT_WEIGHT};
@@ -106,8 +106,8 @@ impl SampledPosterior {
         let best = best_evidence(&self.candidates);
         let mut candidates = std::mem::take(&mut self.candidates);
         candidates.retain(|candidate| candidate.log_evidence > best - 2.0 * PRUNE_BELOW);
-        self.weigh(&mut candidates);
-        let draws_requested = sampler.draws * self.allowed_balls(&candidates);
+        weigh(&mut candidates);
+        let draws_requested = sampler.draws * allowed_balls(&candidates);
         for candidate in &mut candidates {
             if candidate.log_evidence < best - PRUNE_BELOW {
                 continue;
@@ -126,7 +126,7 @@ impl SampledPosterior {
                 candidate.sample = Some(sample);
             }
         }
-        self.weigh(&mut candidates);
+        weigh(&mut candidates);
         self.candidates = candidates;
         self.draws = self.pooled(draws_requested, sampler.seed);
         for sample in self.candidates.iter_mut().filter_map(|c| c.sample.as_mut()) {

@@ -306,8 +306,7 @@ impl Posterior {
     /// The ball of the most probable drop, and its contact time before the data, s: the ball that was stated, or one of the
     /// kinds that it may be.
     pub(crate) fn most_probable_ball(&self) -> (Ball, f64) {
-        let sampled = &self.sampled;
-        let medium = &sampled.media[sampled.candidates[0].medium];
+        let medium = self.sampled.medium_of(0);
         (medium.ball, medium.contact_time_s)
     }
 

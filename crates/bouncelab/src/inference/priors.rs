@@ -1,12 +1,13 @@
 //! Measurements and priors besides the impact times.
 
-use super::parameters::{MIN_SCATTER, UNKNOWN};
+use super::parameters::UNKNOWN;
 use super::possible_balls::PossibleBall;
 use super::scatter_prior;
 use crate::ball::{Ball, KnownBall};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::error::{Quantity, Result, positive, within};
 use crate::restitution::LawKind;
+use crate::simd::Lanes;
 
 /// A measured quantity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -139,7 +140,7 @@ impl Priors {
     /// assert!(low > 0.001 && high < 0.07);
     /// ```
     pub fn scatter_at(&self, normal: f64) -> f64 {
-        (self.restitution_scatter * scatter_prior::factor(normal)).hypot(MIN_SCATTER)
+        scatter_prior::scatters(self.restitution_scatter, Lanes([normal])).0[0]
     }
 
     /// What is assumed before the data, one diagnostic for each.

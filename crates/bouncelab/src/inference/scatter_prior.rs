@@ -3,17 +3,19 @@
 //! ln of the factor is A z + B ((1 + z²)^1/2 - 1) with a standard normal z: normal below the typical scatter and above it,
 //! but wider above, because a surface may be much rougher than the usual one.
 
-use super::parameters::{SCATTER_LOG_SD, SCATTER_SKEW};
+use super::parameters::{MIN_SCATTER, SCATTER_LOG_SD, SCATTER_SKEW};
 use crate::simd::Lanes;
 
-/// The factor at a standard normal.
-pub(super) fn factor(normal: f64) -> f64 {
-    factors(Lanes([normal])).0[0]
+/// The scatter at a standard normal in each lane, given the typical one: no less than [`MIN_SCATTER`].
+#[inline(always)]
+pub(super) fn scatters<const L: usize>(typical: f64, normal: Lanes<L>) -> Lanes<L> {
+    let above_least = factors(normal) * typical;
+    (above_least * above_least + MIN_SCATTER * MIN_SCATTER).sqrt()
 }
 
-/// The same in each lane.
+/// The factor at a standard normal in each lane.
 #[inline(always)]
-pub(super) fn factors<const L: usize>(normal: Lanes<L>) -> Lanes<L> {
+fn factors<const L: usize>(normal: Lanes<L>) -> Lanes<L> {
     let root = (normal * normal + 1.0).sqrt();
     (normal * SCATTER_LOG_SD + (root - 1.0) * SCATTER_SKEW).exp()
 }
@@ -33,6 +35,10 @@ pub(super) fn normal(factor: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn factor(normal: f64) -> f64 {
+        factors(Lanes([normal])).0[0]
+    }
 
     #[test]
     fn the_inverse_undoes_the_prior() {

@@ -5,7 +5,9 @@
 //! are more probable when it is wrong.
 
 use super::candidates::{Candidate, SampledPosterior};
-use super::parameters::{LN_HEIGHTS, LN_RELEASES, LN_STATED_WRONG, SAME_SOUND_S, UNKNOWN};
+use super::parameters::{
+    LN_HEIGHTS, LN_NORMAL, LN_RELEASES, LN_STATED_WRONG, SAME_SOUND_S, UNKNOWN,
+};
 use super::priors::Priors;
 use super::residual::{InitialFall, missed_before_s};
 use crate::ball::Ball;
@@ -111,8 +113,7 @@ fn with_less_stated(priors: &Priors) -> Vec<(Priors, f64)> {
     if priors.gravity_rel_sd >= UNKNOWN {
         return Vec::new();
     }
-    let normal = 0.5 * (2.0 * std::f64::consts::PI).ln();
-    let wrong = |ln_range: f64| LN_STATED_WRONG - ln_range + normal;
+    let wrong = |ln_range: f64| LN_STATED_WRONG - ln_range + LN_NORMAL;
     let (height, release) = (priors.drop_height_m, priors.release_s);
     let (without_height, without_release) = (wrong(LN_HEIGHTS), wrong(LN_RELEASES));
     let fewer = [

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::medium::Medium;
 use super::observed::Observed;
 use super::parameters::{
-    MANY_FLIGHTS, MAX_START_NORMAL, MIN_KEPT, MIN_SCATTER, NEWTON_TOLERANCE, START_RESTITUTIONS,
+    MANY_FLIGHTS, MAX_START_NORMAL, MIN_KEPT, NEWTON_TOLERANCE, START_RESTITUTIONS,
     UNSTATED_TIMING_SD,
 };
 use super::priors::{Measured, Priors};
@@ -252,8 +252,7 @@ impl<'a> Model<'a> {
             at(Slot::Gravity) * inputs.drag_on_gravity + at(Slot::Inputs) * inputs.drag_sd;
         let drag_strength = drag_scale * log_inputs.exp();
         let gravity_m_s2 = (at(Slot::Gravity) * inputs.gravity_sd).exp() * medium.gravity_m_s2;
-        let above_least = scatter_prior::factors(at(Slot::Scatter)) * self.typical_scatter;
-        let scatter = (above_least * above_least + MIN_SCATTER * MIN_SCATTER).sqrt();
+        let scatter = scatter_prior::scatters(self.typical_scatter, at(Slot::Scatter));
         let timing = (at(Slot::Timing) * self.timing_sd).exp();
         let unit = self.restitution_unit(scatter, timing);
         let expected = self.expected_restitution.map_or(Lanes::all(0.0), |it| {

@@ -12,6 +12,7 @@ pub use contact::Contact;
 pub use law::Restitution;
 pub(crate) use law::{MAX_SHAPES, Restitutions, SpeedRange};
 pub use per_impact::{ImpactRestitution, PerImpact, TimedFlight, of_impacts};
+pub(crate) use smooth::WALK;
 
 use crate::simd::Lanes;
 

@@ -12,7 +12,7 @@ use crate::simd::Lanes;
 const SLOPE: f64 = 0.06;
 
 /// Standard deviation of the random walk of the slope for a factor e in speed.
-const WALK: f64 = 0.05;
+pub(crate) const WALK: f64 = 0.05;
 
 /// Number of speeds at which the slope is given: the slowest, v* and the fastest, and those halfway in ln v.
 const KNOTS: usize = 5;

@@ -44,7 +44,7 @@ pub(in super::super) fn with_model<T>(
         }),
         ..Priors::default()
     };
-    let observed = Observed::new(impacts, settings.contact_time_s).unwrap();
+    let observed = Observed::new(impacts).unwrap();
     let ball = PossibleBall::stated(settings.ball, settings.contact_time_s, &priors);
     let media = Medium::new(&ball, &environment, &observed, &priors).unwrap();
     let middle = ReferenceSpeed::new(&observed, &media).unwrap();
