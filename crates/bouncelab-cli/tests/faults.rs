@@ -140,7 +140,8 @@ impl Workspace {
         fs::create_dir(workspace.path("in")).unwrap();
         fs::create_dir(workspace.path("out")).unwrap();
         for (name, seed) in [("a.wav", 1), ("b.wav", 2)] {
-            let impacts: Vec<_> = strikes(2.2, 0.88).take(8).collect();
+            // From 30.5 cm, the height of the rule in `CASES`.
+            let impacts: Vec<_> = strikes(2.44, 0.88).take(8).collect();
             let sound = synth::render(&impacts, &Scene::default(), seed).unwrap();
             let path = workspace.path("in").join(name);
             let rate_hz = sound.sample_rate_hz;
