@@ -13,14 +13,15 @@ import { followLink } from './state/linking.ts';
 import { findOrphans } from './state/orphans.ts';
 import { readSettings } from './state/settings.ts';
 import { keepSimulated, readSimulation } from './state/simulating.ts';
+import { workspace } from './state/workspace.ts';
 import { followTheme } from './style/colours.ts';
 import { preferred, speak } from './text/language.ts';
 
 followTheme();
-readSettings();
+readSettings(false);
 readSimulation();
 addEventListener('hashchange', () => {
-  readSettings();
+  readSettings(workspace.peek() !== null);
   readSimulation();
   void followLink();
 });

@@ -7,7 +7,7 @@ import { beforeAll, expect, test } from 'vitest';
 import { fixture } from './harness/fixture.ts';
 import { folder, synth } from './harness/program.ts';
 import { overflow, printedPages, violations } from './support/layout.ts';
-import { keepAs, open, saved, savedBy, settled, still } from './support/page.ts';
+import { keepAs, open, remembering, saved, savedBy, settled, still } from './support/page.ts';
 import { picture } from './support/pictures.ts';
 
 const here = fixture();
@@ -49,7 +49,7 @@ const add = (page: Page, files: string | string[]): Promise<void> =>
   page.getByLabel('Files with drops').setInputFiles(files);
 
 test('files, a ZIP with damaged ones, and links: each drop once, with its student', async () => {
-  const { page } = await open(here.browser, `${here.url}#lab?ball=golf`);
+  const { page } = await open(here.browser, here.url, {}, remembering('ball=golf'));
   await page.getByLabel('Recording or list of impact times').setInputFiles(golf('1', 0.8));
   await settled(page);
   const document = await saved(page, 'All data (JSON)');
@@ -72,7 +72,12 @@ test('files, a ZIP with damaged ones, and links: each drop once, with its studen
     ['up/Flo_16_assignsubmission_file_/drop.wav', new Blob([wav.subarray(0, 30)])],
   ]);
   const third = golf('3', 0.805);
-  const { page: teacher, troubles } = await open(here.browser, `${here.url}#lab?ball=golf`);
+  const { page: teacher, troubles } = await open(
+    here.browser,
+    here.url,
+    {},
+    remembering('ball=golf'),
+  );
   await teacher.getByRole('link', { name: 'Drops', exact: true }).click();
   await add(teacher, [zip, list, third]);
   await teacher.getByText('3 drops were added. 2 are in the table already.').waitFor();
@@ -99,7 +104,7 @@ test.each([
   ['dark', 'de-DE'],
 ] as const)('groups by what the table says, %s, %s', async (colorScheme, locale) => {
   const options = { colorScheme, locale, viewport: { width: 390, height: 844 } };
-  const { page, troubles } = await open(here.browser, `${here.url}#lab?ball=golf`, options);
+  const { page, troubles } = await open(here.browser, here.url, options, remembering('ball=golf'));
   await page.locator('nav a').last().click();
   const files = [0.8, 0.802, 0.805, 0.76, 0.765, 0.762].map((e, i) => golf(`g${i}`, e));
   await page.locator('input[type=file]').setInputFiles(files);
@@ -151,7 +156,7 @@ test.each([
 });
 
 test('another ball of a drop is another analysis', async () => {
-  const { page } = await open(here.browser, `${here.url}#lab?ball=golf`);
+  const { page } = await open(here.browser, here.url, {}, remembering('ball=golf'));
   await page.getByRole('link', { name: 'Drops', exact: true }).click();
   await add(page, golf('4', 0.8));
   await page.getByText('1 drop was added.').waitFor();

@@ -7,7 +7,7 @@ import { newContext } from './harness/browser.ts';
 import { fixture } from './harness/fixture.ts';
 import { bouncelab, folder as scratch, synth } from './harness/program.ts';
 import { violationsInBothThemes } from './support/layout.ts';
-import { answers, dropFile, open, settled, tryDemo } from './support/page.ts';
+import { answers, dropFile, open, remembering, settled, tryDemo } from './support/page.ts';
 import { cafOf, drop, samplesOf, TRUTH } from './support/sounds.ts';
 
 const here = fixture();
@@ -55,7 +55,7 @@ test('a file that is dropped anywhere', async () => {
 test('another ball than was stated is noticed, and chosen where the warning says', async () => {
   const words = ['--ball', 'tennis', '--height', '2.5m', '--restitution', '0.75'];
   const { path } = synth(join(scratch(), 'tennis.wav'), ...words);
-  const { page: on } = await open(here.browser, `${here.url}#lab?ball=table-tennis-40`);
+  const { page: on } = await open(here.browser, here.url, {}, remembering('ball=table-tennis-40'));
   await on.locator('input[type=file]').setInputFiles(path);
   const warning = on.getByText(/probably another one.*Choose it in the row “Which ball\?”/);
   await warning.waitFor();

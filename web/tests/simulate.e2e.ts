@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { afterEach, beforeEach, expect, test } from 'vitest';
 import { fixture } from './harness/fixture.ts';
-import { answers, follow, open, saved, tryDemo } from './support/page.ts';
+import { answers, follow, open, saved, settled, tryDemo } from './support/page.ts';
 import { drop, TRUTH } from './support/sounds.ts';
 
 const here = fixture();
@@ -73,8 +73,10 @@ test('a simulated drop is analysed as if it were real, and says what was put in'
 });
 
 test('a ball that floats is refused in words, and forgetting the settings helps', async () => {
-  await page.goto(`${here.url}#lab?mass_g=0.01&diameter_mm=40`);
+  await page.goto(`${here.url}#lab`);
   await page.locator('input[type=file]').setInputFiles(drop('floating'));
+  await settled(page);
+  await page.goto(`${here.url}#lab?mass_g=0.01&diameter_mm=40`);
   await page.getByText(/so it floats/).waitFor();
   await page.locator('.settings summary').click();
   await page.getByRole('button', { name: 'Reset all settings' }).click();

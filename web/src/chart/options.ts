@@ -33,7 +33,7 @@ export function optionsOf(row: readonly Panel[], width: number, language: string
   const { x, y } = panel;
   const inner = Math.min((panel.height / FIGURE_TEXT) * rem(), Math.max(0.7 * width, 6 * rem()));
   const named = Math.max(...row.map((panel) => heightOfNames(panel.y.names)));
-  const beyond = beyondEnds(x, language);
+  const beyond = beyondEnds(x, width, language);
   const below = (x.ticks === 'labelled' ? LABEL_REM : 0) * rem() + sizeOfX(x);
   return {
     width,
@@ -79,7 +79,7 @@ function axis(of: Axis, language: string, upright: boolean): uPlot.Axis {
     font,
     stroke: colour('soft'),
     size: upright ? (_plot, numbers) => widthOf(of, numbers ?? []) : sizeOfX(of),
-    space: (upright ? 2.2 : 4) * size,
+    space: SPACE_REM[upright ? 'upright' : 'level'] * size,
     gap: GAP_PX,
     grid: { show: rows === 0 && of.ticks !== 'hidden', stroke: colour('line'), width: 1 },
     ticks: { show: false },
@@ -90,12 +90,25 @@ function axis(of: Axis, language: string, upright: boolean): uPlot.Axis {
   };
 }
 
+/** Between the numbers of an axis there is at least this, in units of the width of text. */
+const SPACE_REM = { upright: 2.2, level: 4 };
+
 /** Beside the frame: half of the number at the end of its axis. */
-function beyondEnds({ scale }: Axis, language: string): number {
-  const step = (scale.high - scale.low) / 5;
-  const decimals = Math.max(0, Math.ceil(-Math.log10(step)));
-  return Math.max(0.75, 0.25 * fixed(scale.high, decimals, language).length);
+function beyondEnds({ scale }: Axis, width: number, language: string): number {
+  const { low, high } = scale;
+  const decimals = decimalsOf(stepOver(((high - low) * SPACE_REM.level * rem()) / width));
+  return Math.max(0.75, 0.25 * fixed(high, decimals, language).length);
 }
+
+/** The step that uPlot takes where numbers may be so far apart. */
+function stepOver(least: number): number {
+  const size = 10 ** Math.floor(Math.log10(least));
+  return ([1, 2, 2.5, 5].find((step) => step * size >= least) ?? 10) * size;
+}
+
+/** As many decimals as multiples of a step have. */
+const decimalsOf = (step: number): number =>
+  [0, 1, 2, 3, 4, 5, 6].find((places) => isWhole(step * 10 ** places)) ?? 6;
 
 /** The names of rows one below the other, each as high as the one with most lines. */
 function heightOfNames(names: readonly string[]): number {
@@ -154,7 +167,7 @@ function labels(splits: readonly (number | null)[], of: Axis, language: string):
   if (of.names.length > 0) return of.names.map(() => '');
   if (of.scale.kind === 'log') return splits.map((split) => logLabel(split, splits, language));
   const step = Math.abs((splits[1] ?? 1) - (splits[0] ?? 0)) || 1;
-  const decimals = [0, 1, 2, 3, 4, 5, 6].find((places) => isWhole(step * 10 ** places)) ?? 6;
+  const decimals = decimalsOf(step);
   return splits.map((split) => (split === null ? '' : fixed(split, decimals, language)));
 }
 

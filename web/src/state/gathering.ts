@@ -20,7 +20,7 @@ import type { Fault } from './faults.ts';
 import { loadKept } from './keeping.ts';
 import { askToLast } from './lasting.ts';
 import { type Measured, measure, measureMarks } from './measuring.ts';
-import { settings } from './settings.ts';
+import { own } from './settings.ts';
 import { stemOf, studentsOf } from './students.ts';
 
 /** What came of it. */
@@ -169,7 +169,7 @@ const listed = (file: Named, student: string): Source =>
     }
     const measured = String(schema).startsWith(`${ANALYSIS}/`)
       ? await ofAnalysis(content as Analysis)
-      : await measure(await engine().open({ name: file.path, blob }), settings.peek());
+      : await measure(await engine().open({ name: file.path, blob }), own.peek());
     return named(measured, stemOf(file.path), student);
   });
 
@@ -177,7 +177,7 @@ const listed = (file: Named, student: string): Source =>
 const recorded = (file: Named, student: string): Source =>
   drops(file.path, async () => {
     const recording = await engine().open({ name: file.path, blob: await file.blob() });
-    return named(await measure(recording, settings.peek()), stemOf(file.path), student);
+    return named(await measure(recording, own.peek()), stemOf(file.path), student);
   });
 
 function link(code: string, student: string): Source {

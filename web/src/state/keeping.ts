@@ -8,7 +8,7 @@ import { setMarks } from './editing.ts';
 import { askToLast, lookAtLasting } from './lasting.ts';
 import { dropNear, forEngine } from './marks.ts';
 import { type Measured, measureMarks, summaryOf } from './measuring.ts';
-import { openStored, openTimes } from './opening.ts';
+import { openLinked, openStored } from './opening.ts';
 import { goToLab, settings } from './settings.ts';
 import {
   type Answer,
@@ -149,13 +149,13 @@ async function forgetDeleted(): Promise<void> {
 
 /** Loads a kept drop as it was left: its sound, its set-up, its impacts. */
 export async function openKept(drop: KeptDrop): Promise<void> {
-  settings.value = drop.settings;
+  const { name, settings, marks, recording } = drop;
   goToLab();
-  if (drop.recording === null) {
-    await openTimes(drop.marks.impacts.map((impact) => impact.time_s).join('\n'));
+  if (recording === null) {
+    await openLinked({ name, settings, times_s: marks.impacts.map(({ time_s }) => time_s) });
     return;
   }
-  await openStored(drop.recording);
-  lookAt(dropNear(edits.peek(), drop.marks));
-  if (drop.marks.edited) setMarks(drop.marks);
+  await openStored(recording, settings);
+  lookAt(dropNear(edits.peek(), marks));
+  if (marks.edited) setMarks(marks);
 }

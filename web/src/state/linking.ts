@@ -4,7 +4,7 @@ import { addressOf, parseRoute } from '../address/route.ts';
 import type { DropLink } from '../lab/index.ts';
 import { engine, faultOf } from './engine.ts';
 import { openLinked } from './opening.ts';
-import { settings, writeSettings } from './settings.ts';
+import { settings } from './settings.ts';
 import { busy, fail, marks } from './workspace.ts';
 
 /** The drop in the workspace as a link and a QR code. */
@@ -23,10 +23,7 @@ export async function followLink(): Promise<void> {
   const code = parameters.get(DROP);
   if (view !== 'lab' || code === null || busy.peek()) return;
   try {
-    const drop = await engine().linkedDrop(code);
-    settings.value = drop.settings;
-    await openLinked(drop);
-    writeSettings();
+    await openLinked(await engine().linkedDrop(code));
   } catch (error) {
     fail(faultOf(error));
   }

@@ -195,7 +195,7 @@ export async function stopListening(atRest = false): Promise<void> {
   void send(ended).catch(() => undefined);
   const stored = await writer.finish();
   try {
-    put(name, await finished(listening, name), stored ? id : null);
+    put(name, await finished(listening, name), { storedAs: stored ? id : null });
     if (atRest) tellAnswer();
     await writer.close();
   } catch (error) {

@@ -1,24 +1,23 @@
 /** Ways into the workspace other than the microphone: a file, a list of times, the demo, the database. */
-import { LabError, type LinkedDrop, type Recording } from '../lab/index.ts';
+import { LabError, type LinkedDrop, type Recording, type Settings } from '../lab/index.ts';
 import { joined } from '../store/blocks.ts';
 import { lock } from '../store/locks.ts';
 import { getRecording, samplesOf } from '../store/recordings.ts';
 import { text } from '../text/language.ts';
 import { engine, faultOf } from './engine.ts';
-import { stateBall } from './settings.ts';
-import { busy, fail, fault, phase, put } from './workspace.ts';
+import { busy, fail, fault, type Origin, phase, put } from './workspace.ts';
 
 /** While something else is recorded or read, nothing is opened: the page offers it then nowhere. */
 async function load(
   name: string,
   open: () => Promise<Recording>,
-  storedAs: string | null = null,
+  origin: Origin = {},
 ): Promise<void> {
   if (busy.peek()) return;
   fault.value = null;
   phase.value = { kind: 'reading', name };
   try {
-    put(name, await open(), storedAs);
+    put(name, await open(), origin);
   } catch (error) {
     fail({ ...faultOf(error), about: name });
   }
@@ -44,33 +43,35 @@ export function openFile(file: File): Promise<void> {
 export const openTimes = (times: string): Promise<void> =>
   load(text('page-lab-pasted-name'), () => engine().paste(times));
 
-/** The drop of a link, which has times and no sound. */
-export const openLinked = ({ name, times_s }: LinkedDrop): Promise<void> =>
-  load(name, () => engine().paste(times_s.join('\n')));
+/** A drop that has times and no sound, with the set-up that it was made with. */
+export const openLinked = ({ name, times_s, settings }: LinkedDrop): Promise<void> =>
+  load(name, () => engine().paste(times_s.join('\n')), { setup: settings });
 
 /** The ball that is heard in the demo. */
-const DEMO_BALL = 'table-tennis-40';
+const DEMO: Settings = { ball: { kind: 'table-tennis-40' } };
 
 export function openDemo(): Promise<void> {
   const name = text('page-lab-demo-name');
-  return load(name, async () => {
-    const { recording } = await engine().demo(name);
-    stateBall(DEMO_BALL);
-    return recording;
-  });
+  return load(name, async () => (await engine().demo(name)).recording, { setup: DEMO });
 }
 
-/** Samples that were made. */
-export function openSamples(samples: Float32Array, rateHz: number, name: string): Promise<void> {
-  return load(name, () => engine().detect([samples], rateHz, name));
+/** Samples that were made, of what is known. */
+export function openSamples(
+  samples: Float32Array,
+  rateHz: number,
+  name: string,
+  setup: Settings,
+): Promise<void> {
+  return load(name, () => engine().detect([samples], rateHz, name), { setup });
 }
 
-/** A recording of the database. */
-export async function openStored(id: string): Promise<void> {
+/** A recording of the database, with the set-up of the drop that was kept of it, if one was. */
+export async function openStored(id: string, setup?: Settings): Promise<void> {
   lock(id);
   const stored = await getRecording(id);
   if (!stored) return fail({ key: 'damaged' });
   const { name, rateHz, gaps } = stored;
   const samples = joined(await samplesOf(id));
-  return load(name, () => engine().detect([samples], rateHz, name, 'samples', gaps), id);
+  const open = () => engine().detect([samples], rateHz, name, 'samples', gaps);
+  return load(name, open, { storedAs: id, ...(setup && { setup }) });
 }

@@ -1,4 +1,7 @@
-/** What the reader stated of ball, air, gravity and drop. The address holds the same. */
+/**
+ * What is stated of ball, air, gravity and drop: the reader's own set-up, from which each new recording starts, and the
+ * one that came with the drop in the workspace. The address holds the one that counts.
+ */
 import { computed, signal } from '@preact/signals';
 import { recall, remember } from '../address/memory.ts';
 import { hashOf, note, parseRoute } from '../address/route.ts';
@@ -6,7 +9,23 @@ import { settingsFromParameters, settingsToParameters } from '../address/setting
 import type { Settings } from '../lab/index.ts';
 import { UNSTATED } from '../text/names.ts';
 
-export const settings = signal<Settings>({});
+/** Under which name the browser remembers the reader's own set-up. */
+const OWN = 'bouncelab.set-up';
+
+/** The reader's own set-up: links, the demo and simulations do not change it. */
+export const own = signal<Settings>(
+  settingsFromParameters(new URLSearchParams(recall(OWN) ?? '')).settings,
+);
+/** The set-up of a drop that was not recorded here now: of a link, the demo, a simulation, the table. */
+const borrowed = signal<Settings | null>(null);
+/** A set-up that a link brought when no drop was there to use it. */
+export const offered = signal<Settings | null>(null);
+
+/** What the drop in the workspace is analysed with. */
+export const settings = computed<Settings>(() => borrowed.value ?? own.value);
+
+const addressOf = (stated: Settings): string => settingsToParameters(stated).toString();
+
 /** The way back to the laboratory, with its set-up. */
 export const labAddress = computed(() => hashOf('lab', settingsToParameters(settings.value)));
 
@@ -17,24 +36,46 @@ export function goToLab(): void {
 /** Parameters of the address that are not valid. */
 export const unreadable = signal<readonly string[]>([]);
 
-/** Under which name the browser remembers the ball that was chosen last. */
-const BALL = 'ball';
-
 /**
- * Takes the settings of the address, at the start and when a link changes it. One without settings means
- * the ball that was chosen last.
+ * Reads the settings of the address, at the start and when a link changes it. They are those of the drop in the
+ * workspace; without one, the reader is asked whether drops recorded from now on shall have them.
  */
-export function readSettings(): void {
+export function readSettings(hasDrop: boolean): void {
   const { view, parameters } = parseRoute(location.hash);
   if (view !== 'lab') return;
-  const ball = parameters.size === 0 ? recall(BALL) : null;
-  const read = settingsFromParameters(ball === null ? parameters : new URLSearchParams({ ball }));
+  const read = settingsFromParameters(parameters);
   unreadable.value = read.unreadable;
-  const same =
-    settingsToParameters(read.settings).toString() ===
-    settingsToParameters(settings.peek()).toString();
-  if (!same) settings.value = read.settings;
-  if (ball !== null) writeSettings();
+  const isNew =
+    addressOf(read.settings) !== '' && addressOf(read.settings) !== addressOf(settings.peek());
+  if (isNew && hasDrop) borrowed.value = read.settings;
+  offered.value = isNew && !hasDrop ? read.settings : null;
+}
+
+/** Takes the set-up of a link as the reader's own, or leaves it. */
+export function decide(isTaken: boolean): void {
+  if (isTaken && offered.peek()) setOwn(offered.peek() as Settings);
+  offered.value = null;
+  writeSettings();
+}
+
+/** A new drop lies in the workspace: with a set-up of its own, or with the reader's. */
+export function startFrom(setup: Settings | null): void {
+  borrowed.value = setup;
+  offered.value = null;
+  writeSettings();
+}
+
+function setOwn(next: Settings): void {
+  own.value = next;
+  // A height is that of one drop: it is not what the next visit begins with.
+  const { drop: _, ...lasting } = next;
+  remember(OWN, addressOf(lasting) || null);
+}
+
+function set(next: Settings): void {
+  if (borrowed.peek()) borrowed.value = next;
+  else setOwn(next);
+  writeSettings();
 }
 
 /** Changes settings of a group; `undefined` returns one to what is assumed. */
@@ -45,34 +86,49 @@ export function change<G extends keyof Settings>(
   const fields = Object.entries({ ...settings.peek()[group], ...changes });
   const stated = fields.filter(([, value]) => value !== undefined && value !== null);
   const { [group]: _, ...others } = settings.peek();
-  settings.value =
-    stated.length > 0 ? { ...others, [group]: Object.fromEntries(stated) } : (others as Settings);
-  writeSettings();
+  set(
+    stated.length > 0 ? { ...others, [group]: Object.fromEntries(stated) } : (others as Settings),
+  );
 }
 
 /** Whether a ball is stated by mass and diameter alone. */
 export const isOwnBall = ({ ball }: Settings): boolean =>
   ball?.kind === undefined && (ball?.mass_kg !== undefined || ball?.diameter_m !== undefined);
 
-/** Chooses a ball by its name, and remembers it; `UNSTATED` states none. */
+/** Chooses a ball by its name; `UNSTATED` states none. */
 export function chooseBall(name: string): void {
   const kind = name === UNSTATED ? undefined : name;
-  remember(BALL, kind ?? null);
   change('ball', { kind, mass_kg: undefined, diameter_m: undefined });
 }
 
-/** States a ball by its name, this time. */
-export function stateBall(name: string): void {
-  change('ball', { kind: name, mass_kg: undefined, diameter_m: undefined });
+/** Between these the gravity of a place on Earth lies, m/s². */
+const ON_EARTH = { least: 9.76, most: 9.84 };
+
+/** What of a set-up few drops have: other gravity, no air, a stated height. */
+export function unusualOf({ gravity, air, drop }: Settings): Settings {
+  const { gravity_m_s2 } = gravity ?? {};
+  const isElsewhere =
+    gravity_m_s2 !== undefined && (gravity_m_s2 < ON_EARTH.least || gravity_m_s2 > ON_EARTH.most);
+  const isOtherAir = air?.drag === 'none' || air?.density_kg_m3 !== undefined;
+  return {
+    ...(isElsewhere && { gravity: { gravity_m_s2 } }),
+    ...(isOtherAir && { air }),
+    ...(drop?.height_m !== undefined && { drop: { height_m: drop.height_m } }),
+  };
+}
+
+/** Returns what is unusual to what is assumed. */
+export function resetUnusual(): void {
+  const groups = Object.keys(unusualOf(settings.peek()));
+  const left = Object.entries(settings.peek()).filter(([group]) => !groups.includes(group));
+  set(Object.fromEntries(left));
 }
 
 export function forgetSettings(): void {
-  remember(BALL, null);
-  settings.value = {};
-  writeSettings();
+  set({});
 }
 
 /** Puts the settings into the address. */
-export function writeSettings(): void {
+function writeSettings(): void {
   note('lab', settingsToParameters(settings.peek()));
 }

@@ -13,7 +13,7 @@ import { text } from '../text/language.ts';
 import { CoalescingQueue } from './coalescing-queue.ts';
 import { catalogue, engine, messageOf } from './engine.ts';
 import { openSamples } from './opening.ts';
-import { goToLab, settings } from './settings.ts';
+import { goToLab } from './settings.ts';
 import { chosenDrop, drop, type Workspace, workspace } from './workspace.ts';
 
 /** Where the sliders stood, and what follows. */
@@ -138,10 +138,9 @@ export async function playRun(): Promise<void> {
 export async function analyseRun(): Promise<void> {
   const asked = requestOf(setup.peek());
   const { samples, sampleRateHz } = await engine().synthesise(asked, SCENE);
-  // What was put in is what is known of it.
-  settings.value = asked.settings;
   goToLab();
-  await openSamples(samples, sampleRateHz, text('page-simulate-this-run'));
+  // What was put in is what is known of it.
+  await openSamples(samples, sampleRateHz, text('page-simulate-this-run'), asked.settings);
 }
 
 /** Lays the run over the measurement in the workspace. */

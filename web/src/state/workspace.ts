@@ -3,13 +3,14 @@
  * show these signals; the functions of this folder change them.
  */
 import { batch, computed, signal } from '@preact/signals';
-import type { Analysed, Drop, QuantityList, Recording } from '../lab/index.ts';
+import type { Analysed, Drop, QuantityList, Recording, Settings } from '../lab/index.ts';
 import { stop } from '../sound/player.ts';
 import type { Pyramid } from '../wave/pyramid.ts';
 import { framing, type Viewport, whole } from '../wave/viewport.ts';
 import type { Fault } from './faults.ts';
 import { begin } from './history.ts';
 import { type Edits, editsOf, isEdited } from './marks.ts';
+import { startFrom } from './settings.ts';
 
 /** What goes on. */
 export type Phase =
@@ -71,17 +72,26 @@ export const quantities = computed<readonly QuantityList[]>(
 );
 export const edited = computed(() => present.value !== undefined && isEdited(present.value));
 
+/** What comes with a recording. */
+export interface Origin {
+  /** Under which its sound is kept in the database, if it is. */
+  readonly storedAs?: string | null;
+  /** The set-up that it was made with; the reader's own if it brings none. */
+  readonly setup?: Settings;
+}
+
 /** Puts something in the workspace; what lay there is gone from the page, not from the database. */
-export function put(name: string, recording: Recording, storedAs: string | null): void {
+export function put(name: string, recording: Recording, { storedAs, setup }: Origin = {}): void {
   const { sound, dropChannel } = recording;
   stop();
   batch(() => {
+    startFrom(setup ?? null);
     workspace.value = {
       name,
       recording,
       pyramid: sound && { rateHz: sound.sampleRateHz, samples: dropChannel, levels: sound.levels },
       durationS: recording.durationS,
-      storedAs,
+      storedAs: storedAs ?? null,
     };
     // Without a drop there is an empty one, so that impacts can be marked by hand.
     const drops = recording.result.drops.map(({ impacts }) => editsOf(impacts));

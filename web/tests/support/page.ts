@@ -21,6 +21,16 @@ export async function open(
   return opened;
 }
 
+/** A context in which the reader stated a set-up on an earlier visit, as the address writes it. */
+export const remembering =
+  (setup: string): Preparation =>
+  async (context) => {
+    await context.addInitScript((known) => {
+      if (localStorage.getItem('bouncelab.set-up') === null)
+        localStorage.setItem('bouncelab.set-up', known);
+    }, setup);
+  };
+
 /** Follows a link of the head until its view is there: the address changes before the page does. */
 export async function follow(page: Page, name: string): Promise<void> {
   const link = page.getByRole('navigation').getByRole('link', { name, exact: true });

@@ -239,6 +239,14 @@ page-settings-reset = Alle Einstellungen vergessen
 page-settings-refused = Diese Einstellungen widersprechen sich:
 
 page-ball-row = Welcher Ball?
+page-ball-other = anderer: Größe und Gewicht
+
+page-setup-offered = Dieser Link gibt an: { $what }. Für deine eigenen Versuche gilt das nur, wenn du es willst.
+page-setup-laws = andere Modelle der Auswertung
+page-setup-take = für meine Versuche verwenden
+page-setup-leave = nicht verwenden
+page-setup-unusual = Ausgewertet mit: { $what }.
+page-setup-reset = Zurücksetzen
 
 page-keep-title = Aufheben
 page-keep-keep = Diesen Versuch aufheben

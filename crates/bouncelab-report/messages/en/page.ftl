@@ -241,6 +241,14 @@ page-settings-reset = Reset all settings
 page-settings-refused = These settings contradict each other:
 
 page-ball-row = Which ball?
+page-ball-other = other: size and weight
+
+page-setup-offered = This link states: { $what }. Your own drops do not have it unless you want it.
+page-setup-laws = other models of the analysis
+page-setup-take = use it for my drops
+page-setup-leave = leave it
+page-setup-unusual = Analysed with: { $what }.
+page-setup-reset = Reset
 
 page-keep-title = Keep
 page-keep-keep = Keep this drop

@@ -242,6 +242,14 @@ page-settings-reset = Restablecer los ajustes
 page-settings-refused = Estos ajustes se contradicen:
 
 page-ball-row = ¿Qué pelota?
+page-ball-other = otra: tamaño y peso
+
+page-setup-offered = Este enlace indica: { $what }. Tus propias caídas no lo usan si no lo quieres.
+page-setup-laws = otros modelos del análisis
+page-setup-take = usarlo para mis caídas
+page-setup-leave = no usarlo
+page-setup-unusual = Analizado con: { $what }.
+page-setup-reset = Restablecer
 
 page-keep-title = Guardar
 page-keep-keep = Guardar este ensayo

@@ -242,6 +242,14 @@ page-settings-reset = Réinitialiser les réglages
 page-settings-refused = Ces réglages se contredisent :
 
 page-ball-row = Quelle balle ?
+page-ball-other = autre : taille et masse
+
+page-setup-offered = Ce lien indique : { $what }. Tes propres essais ne l’utilisent que si tu le veux.
+page-setup-laws = d’autres modèles de l’analyse
+page-setup-take = l’utiliser pour mes essais
+page-setup-leave = ne pas l’utiliser
+page-setup-unusual = Analysé avec : { $what }.
+page-setup-reset = Réinitialiser
 
 page-keep-title = Conserver
 page-keep-keep = Conserver cet essai

@@ -1,0 +1,57 @@
+/** A set-up in words. */
+import { fixed } from '../format/quantity.ts';
+import type { Settings } from '../lab/index.ts';
+import { catalogue } from '../state/engine.ts';
+import { isOwnBall } from '../state/settings.ts';
+import { language, text } from './language.ts';
+import { ballName, UNSTATED } from './names.ts';
+
+const number = (value: number): string =>
+  Number(value.toPrecision(4)).toLocaleString(language.value, { useGrouping: false });
+
+/** Marks a quantity that was assumed. */
+const unlessStated = (stated: boolean): string => (stated ? '' : ` (${text('page-lab-assumed')})`);
+
+export function ballInWords(settings: Settings): string {
+  const { kind, mass_kg, diameter_m } = settings.ball ?? {};
+  const words = [
+    isOwnBall(settings) ? '' : ballName(kind ?? UNSTATED),
+    mass_kg === undefined ? '' : `${number(1e3 * mass_kg)} g`,
+    diameter_m === undefined ? '' : `${number(1e3 * diameter_m)} mm`,
+  ];
+  return `${text('page-settings-ball')}: ${words.filter((word) => word !== '').join(', ')}`;
+}
+
+export function airInWords({ air }: Settings): string {
+  const { drag, temperature_k, pressure_pa, density_kg_m3 } = air ?? {};
+  if (drag === 'none') return text('page-settings-no-drag');
+  if (density_kg_m3 === 0) return text('page-settings-vacuum');
+  if (density_kg_m3 !== undefined)
+    return `${text('page-settings-air')}: ${number(density_kg_m3)} kg/m³`;
+  const usual = catalogue.value?.usual_air;
+  const temperature = (temperature_k ?? usual?.temperature_k ?? 293.15) - 273.15;
+  const pressure = (pressure_pa ?? usual?.pressure_pa ?? 101325) / 100;
+  const stated = temperature_k !== undefined || pressure_pa !== undefined;
+  return `${text('page-settings-air')}: ${number(temperature)} °C, ${fixed(pressure, 0, language.value)} hPa${unlessStated(stated)}`;
+}
+
+export function gravityInWords({ gravity }: Settings): string {
+  const { gravity_m_s2, latitude_deg } = gravity ?? {};
+  if (latitude_deg !== undefined)
+    return `${text('page-settings-latitude')} ${number(latitude_deg)}°`;
+  const g = gravity_m_s2 ?? catalogue.value?.standard_gravity_m_s2 ?? 9.80665;
+  return `${text('page-settings-gravity')} ${number(g)}\u00a0m/s²`;
+}
+
+/** What is stated, and nothing of what is assumed. */
+export function statedInWords(settings: Settings): string {
+  const { ball, air, gravity, drop } = settings;
+  const words = [
+    ball && ballInWords(settings),
+    air && airInWords(settings),
+    gravity && gravityInWords(settings),
+    drop?.height_m !== undefined &&
+      `${text('page-settings-height')}: ${number(100 * drop.height_m)}\u00a0cm`,
+  ];
+  return words.filter(Boolean).join(' · ');
+}
