@@ -8,7 +8,7 @@ import { launch, newContext } from './harness/browser.ts';
 import { fixture } from './harness/fixture.ts';
 import { FONT_SETS, nameOf } from './harness/fonts.ts';
 import { overflow, unfold } from './support/layout.ts';
-import { open, saved, settled } from './support/page.ts';
+import { open, saved, settled, tabsOfAll } from './support/page.ts';
 import { picture } from './support/pictures.ts';
 import { drawings, troublesOf } from './support/texts.ts';
 import { LANGUAGES, wordsOf } from './support/words.ts';
@@ -109,7 +109,7 @@ describe.each(LANGUAGES.filter((code) => code !== 'en'))('in the language %s', (
   );
 
   test('figures are saved in it, data stay as they are', async () => {
-    const tabs = await page.getByRole('tab').all();
+    const tabs = await tabsOfAll(page);
     for (const tab of tabs) {
       await tab.click();
       const svg = await content('SVG');

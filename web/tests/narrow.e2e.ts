@@ -4,7 +4,7 @@ import { describe, expect, test } from 'vitest';
 import { fixture } from './harness/fixture.ts';
 import { FONT_SETS, nameOf } from './harness/fonts.ts';
 import { overflow, unfold } from './support/layout.ts';
-import { open, settled, still } from './support/page.ts';
+import { open, settled, still, tabsOfAll } from './support/page.ts';
 import { picture } from './support/pictures.ts';
 import { charts, crampedButtons, rememberTexts, troublesOf } from './support/texts.ts';
 import { LANGUAGES, wordsOf } from './support/words.ts';
@@ -47,7 +47,7 @@ describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))(
       await page.getByRole('button', { name: words('page-lab-demo') }).click();
       await settled(page);
       await unfold(page);
-      for (const tab of await page.getByRole('tab').all()) {
+      for (const tab of await tabsOfAll(page)) {
         await tab.click();
         await page.locator('.uplot').first().waitFor();
         await look(`lab-${await tab.getAttribute('id')}`);

@@ -12,6 +12,7 @@ import {
   remembering,
   saved,
   settled,
+  tabsOfAll,
   tryDemo,
 } from './support/page.ts';
 
@@ -223,7 +224,7 @@ test('exports: table, document and figures', async () => {
   expect(Math.abs(value - 0.9529)).toBeLessThan(3.5 * sd);
   expect(sd).toBeLessThan(2e-3);
   expect(await content('Report (HTML)')).toMatch(/^<!DOCTYPE html>/i);
-  for (const tab of await page.getByRole('tab').all()) {
+  for (const tab of await tabsOfAll(page)) {
     await tab.click();
     expect(await content('SVG'), await tab.innerText()).toContain('<svg');
   }

@@ -5,7 +5,7 @@ import { launch } from './harness/browser.ts';
 import { FONT_SETS, type FontSet, nameOf } from './harness/fonts.ts';
 import { Site } from './harness/site.ts';
 import { type Looked, overflow, violations } from './support/layout.ts';
-import { open, settled, still } from './support/page.ts';
+import { open, settled, still, tabsOfAll } from './support/page.ts';
 import { picture } from './support/pictures.ts';
 import { charts, crampedButtons, rememberTexts, troublesOf } from './support/texts.ts';
 
@@ -150,7 +150,7 @@ describe.each(USES)(
         await lookOnAll('lab-unfolded');
         // The figures differ less from screen to screen than they take to look at.
         await page.setViewportSize(DESKTOP);
-        for (const tab of await page.getByRole('tab').all()) {
+        for (const tab of await tabsOfAll(page)) {
           await tab.click();
           await lookOn(DESKTOP, `figure-${await tab.getAttribute('id')}`, '[role=tabpanel]');
         }
@@ -213,7 +213,7 @@ describe('whatever the fonts', () => {
     await demo(page);
     await unfoldAll(page);
     await lookAt('lab');
-    for (const tab of await page.getByRole('tab').all()) {
+    for (const tab of await tabsOfAll(page)) {
       await tab.click();
       await lookAt(`figure-${await tab.getAttribute('id')}`, '[role=tabpanel]');
     }

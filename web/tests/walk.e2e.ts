@@ -63,7 +63,12 @@ test.for([
     await expect.poll(() => focused(page)).toBe('button "Listen again"');
     await page.getByRole('radio', { name: 'table tennis 40+', checked: true }).waitFor();
 
-    for (const fold of ['Why?', 'What this recording determines, and what not', 'All numbers']) {
+    for (const fold of [
+      'What do these words mean?',
+      'With and without air',
+      'What this recording determines, and what not',
+      'All numbers',
+    ]) {
       const details = page.locator('details', { has: page.getByText(fold, { exact: true }) });
       await tabTo(page, `summary "${fold}"`);
       expect(await details.getAttribute('open'), fold).toBeNull();
@@ -72,11 +77,11 @@ test.for([
     }
 
     await tabTo(page, 'tab "Restitution"');
-    await press(page, 'ArrowRight', 'tab "Flights"');
-    await drawn(page, 'Flights');
+    await press(page, 'ArrowRight', 'tab "Height"');
+    await drawn(page, 'Height');
     await press(page, 'ArrowLeft', 'tab "Restitution"');
-    await press(page, 'ArrowLeft', 'tab "Drag (log)"');
-    await drawn(page, 'Drag (log)');
+    await press(page, 'ArrowLeft', 'tab "With and without air"');
+    await drawn(page, 'With and without air');
     await tabTo(page, 'button "SVG"');
 
     await tabTo(page, 'textbox "Name"');

@@ -23,6 +23,16 @@ export const soFar = signal<SoFar | null>(null);
 /** Seconds of sound that are on the disk. */
 export const savedS = signal(0);
 
+/** What helps when no drop is heard; `null` as long as nothing is to be said. */
+export const hint = signal<'quiet' | 'no-bounces' | null>(null);
+
+/** Seconds without a drop before the page says what helps. */
+const HINT_AFTER_S = 6;
+/** So many times louder than what came before, a block is a sound. */
+const STANDS_OUT = 4;
+/** Sounds that are no bounces, before the page says so: a ball begins with fewer. */
+const MANY_SOUNDS = 3;
+
 /** Seconds of silence before the page says so. */
 const SILENT_AFTER_S = 2;
 /** Listening ends by itself after this time: no drop lasts as long. */
@@ -46,6 +56,9 @@ interface LiveRecording {
   asking: boolean;
   recordedS: number;
   hasSound: boolean;
+  /** The level that is usual here, and how many sounds stood out from it. */
+  usual: number;
+  sounds: number;
 }
 
 let current: LiveRecording | undefined;
@@ -99,6 +112,7 @@ async function begin(microphone: Microphone): Promise<LiveRecording> {
   };
   const listening = await engine().listen(rateHz);
   soFar.value = null;
+  hint.value = null;
   live.value = new LiveEnvelope(rateHz, SHOWN_S, BINS_PER_SECOND);
   lock(recording.id);
   savedS.value = 0;
@@ -121,6 +135,8 @@ async function begin(microphone: Microphone): Promise<LiveRecording> {
     asking: false,
     recordedS: 0,
     hasSound: false,
+    usual: 0,
+    sounds: 0,
   };
 }
 
@@ -131,6 +147,7 @@ function receive(now: LiveRecording, samples: Float32Array<ArrayBuffer>): void {
   level.value = Math.min(1, Math.max(0, 1 - (20 * Math.log10(Math.max(peak, 1e-9))) / SOFTEST_DB));
   now.recordedS += samples.length / now.microphone.rateHz;
   noteSilence(now, peak);
+  noteHint(now, peak);
   now.waiting.push(samples);
   if (!now.asking) void ask(now);
   if (now.recordedS > LONGEST_S) void stopListening();
@@ -174,6 +191,14 @@ function noteSilence(now: LiveRecording, peak: number): void {
   now.hasSound = peak > 0;
   if (now.hasSound) noteSound();
   else if (now.recordedS > SILENT_AFTER_S) fault.value ??= { key: 'silent' };
+}
+
+/** Says what helps when a ball should have been heard by now. */
+function noteHint(now: LiveRecording, peak: number): void {
+  if (now.usual > 0 && peak > STANDS_OUT * now.usual) now.sounds += 1;
+  now.usual += 0.1 * (peak - now.usual);
+  const isLate = now.recordedS > HINT_AFTER_S && !soFar.peek()?.drop;
+  hint.value = isLate ? (now.sounds < MANY_SOUNDS ? 'quiet' : 'no-bounces') : null;
 }
 
 function noteSound(): void {

@@ -38,6 +38,9 @@ export const simulating = computed(
   () => impossible.value === null && outcome.value?.setup !== setup.value,
 );
 
+/** When the ball was let fall last, by the clock of the page in milliseconds. */
+export const dropped = signal<number | undefined>(undefined);
+
 export const runs = signal<readonly Run[]>([]);
 const MAX_RUNS = 3;
 
@@ -85,6 +88,7 @@ export function requestOf(asked: SimulationSetup): SimulationRequest {
 const simulator = new CoalescingQueue<SimulationSetup>(async (asked) => {
   try {
     outcome.value = { setup: asked, simulated: await engine().simulate(requestOf(asked)) };
+    dropped.value = performance.now();
     impossible.value = null;
   } catch (error) {
     impossible.value = messageOf(error);
@@ -131,6 +135,7 @@ const SCENE: SceneRequest = {
 
 export async function playRun(): Promise<void> {
   const { samples, sampleRateHz } = await engine().synthesise(requestOf(setup.peek()), SCENE);
+  dropped.value = performance.now() + 1000 * SCENE.lead_in_s;
   await play(samples, sampleRateHz, 0, 1);
 }
 

@@ -9,3 +9,6 @@ export function media(query: string): ReadonlySignal<boolean> {
   });
   return matches;
 }
+
+/** Whether it is used with a finger: what is said of taps and of the phone follows from it. */
+export const handheld = globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;

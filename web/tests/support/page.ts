@@ -70,6 +70,13 @@ export async function tryDemo(page: Page): Promise<void> {
   await settled(page);
 }
 
+/** The tabs of all figures: a lesson needs four of them. */
+export async function tabsOfAll(page: Page): Promise<readonly Locator[]> {
+  await page.locator('.figures .choose > button[aria-expanded="false"]').click();
+  await page.getByRole('tab').nth(4).waitFor();
+  return page.getByRole('tab').all();
+}
+
 /** Keeps the drop in the workspace, until the page says so. */
 export async function keepAs(page: Page, name: string): Promise<void> {
   await page.getByLabel('Name').fill(name);

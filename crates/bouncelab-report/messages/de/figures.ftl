@@ -93,7 +93,7 @@ figure-drag-log-reached = Ein gleichbleibender Beiwert ist hier eine Gerade; die
 figure-drag-log-empty = Hier gibt es keine Widerstandskurven zu zeigen.
 
 figure-flight-times-title = Die Flugzeiten und die Ausgleichsgerade
-figure-flight-times-tab = Flüge
+figure-flight-times-tab = Mit und ohne Luft
 figure-flight-times-caption = Ohne Luft dauerte jeder Flug denselben Anteil des vorigen, nach der Geraden { $ratio }; ein Bogen im unteren Feld zeigt Luftwiderstand oder eine Stoßzahl, die sich mit dem Tempo ändert.
 figure-flight-times-no-line = { $count ->
     [one] 1 Flug

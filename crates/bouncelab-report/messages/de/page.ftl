@@ -3,7 +3,7 @@ page-app-skip = Zum Inhalt springen
 page-app-nav = Seiten
 page-app-lab = Zuhören
 page-app-simulate = Simulieren
-page-app-paper = Aufsatz
+page-app-paper = Artikel
 page-app-drops = Versuche
 page-app-language = Sprache
 page-app-to-dark = Dunkel
@@ -17,7 +17,6 @@ page-app-reload = Neu laden
 page-app-undo = Rückgängig
 page-app-redo = Wiederholen
 page-app-cancel = Abbrechen
-page-app-why = Warum?
 page-app-number-wanted = Hier wird eine Zahl{ $most ->
     [none] { $least ->
         [none] {""}
@@ -45,6 +44,8 @@ page-lab-demo-name = Beispiel
 page-lab-recording-name = Versuch { $date }
 page-lab-starting = Frage nach dem Mikrofon …
 page-lab-listening = Ich höre zu. Lass den Ball fallen.
+page-lab-hint-quiet = Noch war nichts Lautes zu hören: Lege das Mikrofon näher an die Stelle, wo der Ball aufkommt.
+page-lab-hint-no-bounces = Es ist etwas zu hören, aber kein springender Ball: Lege das Handy näher an die Stelle, wo der Ball aufkommt, auf harten Boden, und lass ihn springen, bis er ruht.
 page-lab-so-far = { $count ->
     [one] 1 Aufprall bisher
    *[other] { $count } Aufpralle bisher
@@ -63,6 +64,7 @@ page-lab-uncertain = { $count } unsicher
 page-lab-edited = von Hand geändert
 page-lab-drop-of = Versuch { $index } von { $count }
 page-lab-drops-heard = Versuche in dieser Aufnahme
+page-lab-why = Mit und ohne Luft
 page-lab-why-air-1 = Eine Ausgleichsgerade durch die Logarithmen der Flugzeiten ist der klassische Weg zur Stoßzahl. Doch auch die Luft bremst den Ball, und die Gerade schreibt das den Aufprallen zu.
 page-lab-why-air-2 = Die grauen Punkte vernachlässigen die Luft; aus den blauen ist sie herausgerechnet. Sie zeigen Ball und Untergrund allein.
 page-lab-refining = Rechne die Schätzung mit Luft …
@@ -74,6 +76,7 @@ page-lab-narrowed = { $unknown }: { $share } der Breite bleiben
 page-lab-assumed = angenommen
 page-lab-no-drop-title = Kein springender Ball gefunden.
 page-lab-no-drop-hint = Stell das Mikrofon nah an die Stelle, wo der Ball aufkommt, nimm einen harten Untergrund und lass den Ball ausspringen. Siehst du die Aufpralle im Bild, dann markiere sie von Hand: Doppelklick, oder Eingabetaste am Zeiger.
+page-lab-no-drop-hint-touch = Lege das Handy nah an die Stelle, wo der Ball aufkommt, auf harten Boden, und lass ihn springen, bis er ruht. Wenn du die Aufpralle in der Wellenform siehst, markiere sie mit zweimal Tippen.
 page-lab-interrupted-title = Eine Aufnahme vom { $date } wurde unterbrochen.
 page-lab-progress = Fortschritt
 page-lab-unkept-title = Die Aufnahme vom { $date } steht nicht in der Tabelle der Versuche.
@@ -86,7 +89,11 @@ page-rest-speech = Ergebnis vorlesen
 page-rest-vibration = Vibrieren
 page-rest-plus-minus = plus oder minus
 
-page-words-restitution = Die Stoßzahl ist das Tempo gleich nach einem Aufprall geteilt durch das Tempo gleich davor.
+page-words-title = Was bedeuten diese Wörter?
+page-words-restitution = Die Stoßzahl ist die Geschwindigkeit gleich nach einem Aufprall geteilt durch die gleich davor: 90 % heißt, dass der Ball ein Zehntel seiner Geschwindigkeit verliert.
+page-words-energy = Die Energie wächst mit dem Quadrat der Geschwindigkeit: Ein Ball, der 90 % seiner Geschwindigkeit behält, behält 81 % seiner Energie.
+page-words-height = Die Fallhöhe wird aus den Zeiten zwischen den Aufprallen berechnet. Die Kurve zeigt, wie hoch der Ball nach jedem gestiegen ist.
+page-words-uncertainty = ± ist die Standardunsicherheit: Mit etwa zwei Dritteln Wahrscheinlichkeit liegt der wahre Wert darin, mit 95 % im Doppelten davon.
 
 page-faults-refused-what = Der Browser darf das Mikrofon nicht benutzen.
 page-faults-refused-do = Erlaube es in der Adressleiste (Schloss oder Mikrofon) und tippe noch einmal auf „Zuhören“. Auf dem Handy sieh auch in den Einstellungen der Browser-App nach. Du kannst stattdessen eine Aufnahme öffnen.
@@ -198,6 +205,9 @@ page-wave-pointer = Ziehen verschiebt, Spreizen oder Mausrad vergrößert (vorhe
 page-wave-times = Das sind nur Zeiten: Es gibt keinen Ton zu zeigen.
 
 page-figures-title = Abbildungen
+page-figures-more = Mehr Abbildungen
+page-figures-fewer = Weniger Abbildungen
+page-curve-label = Höhe des Balls über der Zeit; der erste erkannte Sprung erreicht { $height }
 page-figures-against = { $y } über { $x }
 page-figures-reset = Seitwärts ziehen vergrößert, ein Doppelklick zeigt wieder alles.
 page-figures-numbers = Dasselbe als Zahlen
@@ -305,7 +315,7 @@ page-simulate-losses = Von seiner Energie gehen { $surface } in die Aufpralle, {
 page-simulate-impossible = Das lässt sich nicht simulieren:
 page-simulate-address = Die Regler stehen in der Adresse: Teile sie, und andere sehen denselben Lauf.
 
-page-paper-title = Der Aufsatz
+page-paper-title = Der Artikel
 page-paper-source = M. Nagurka, „Aerodynamic Effects in a Dropped Ping-Pong Ball Experiment“
 page-paper-lead = Lass einen Tischtennisball fallen und hör zu. Die Zeiten zwischen den Aufprallen ergeben Stoßzahl und Fallhöhe, doch die Höhe gerät um 12 % zu klein. Diese Seite erklärt, warum, und berechnet jede Zahl und jede Abbildung beim Lesen.
 
@@ -316,31 +326,31 @@ page-paper-one-equation = log Tₙ = n log e + log (2v₀/g),   h₀ = v₀²/2g
 page-paper-one-see = Die Flugzeiten eines Balls aus 30,5 cm, ohne Luft. Jeder Punkt auf der Geraden; sie findet e und 30,5 cm genau.
 
 page-paper-two-title = 2. Der Versuch und eine Abweichung
-page-paper-two-text-1 = Im Aufsatz fiel ein Ball von 2,5 g und 38 mm aus 30,5 cm. Die Ausgleichsgerade durch die ersten zehn Flüge ergab e = 0,9375 und eine Fallhöhe von 26,7 cm.
-page-paper-two-text-2 = Das sind 3,8 cm zu wenig, 12,3 %: weit mehr, als ein Maßband irrt. Der Aufsatz nennt den Luftwiderstand als wahrscheinlichen Grund.
+page-paper-two-text-1 = Im Artikel fiel ein Ball von 2,5 g und 38 mm aus 30,5 cm. Die Ausgleichsgerade durch die ersten zehn Flüge ergab e = 0,9375 und eine Fallhöhe von 26,7 cm.
+page-paper-two-text-2 = Das sind 3,8 cm zu wenig, 12,3 %: weit mehr, als ein Maßband irrt. Der Artikel nennt den Luftwiderstand als wahrscheinlichen Grund.
 
 page-paper-three-title = 3. Wie stark die Luft bremst
-page-paper-three-text = Bei den 2,4 m/s des ersten Aufpralls ist der Luftwiderstand nur 6 % des Gewichts, und er schwindet mit dem Quadrat des Tempos. Der Aufsatz erprobt zwei Gesetze: einen gleichbleibenden Beiwert von 0,4 und einen, der vom Tempo abhängt. Wo es darauf ankommt, stimmen sie überein.
+page-paper-three-text = Bei den 2,4 m/s des ersten Aufpralls ist der Luftwiderstand nur 6 % des Gewichts, und er schwindet mit dem Quadrat des Tempos. Der Artikel erprobt zwei Gesetze: einen gleichbleibenden Beiwert von 0,4 und einen, der vom Tempo abhängt. Wo es darauf ankommt, stimmen sie überein.
 page-paper-three-equation = F/W = ½ ρ A C_D v² / mg
 page-paper-three-see = Luftwiderstand durch Gewicht über dem Tempo, nach beiden Gesetzen. Auf der log. Skala gibt ein gleichbleibender Beiwert eine Gerade der Steigung 2.
 page-paper-three-see-height = Der ganze Fall mit e = 0,935, mit Luft und ohne: sechs Prozent des Gewichts, und der Ball ruht Sekunden früher.
 
 page-paper-four-title = 4. Erklärt der Luftwiderstand die Abweichung?
-page-paper-four-text = Simuliere Bälle in Luft, lege dieselbe Ausgleichsgerade hindurch und vergleiche mit dem Aufsatz. Wähle die Stoßzahl des Balls und die Zahl der Flüge.
+page-paper-four-text = Simuliere Bälle in Luft, lege dieselbe Ausgleichsgerade hindurch und vergleiche mit dem Artikel. Wähle die Stoßzahl des Balls und die Zahl der Flüge.
 page-paper-four-e = Wahre Stoßzahl des Balls, bei 1 m/s
 page-paper-four-slope = Fällt mit dem Tempo um
 page-paper-four-flights = Flüge in der Geraden
 page-paper-four-line-says = Die Gerade ergibt e = { $e } und h₀ = { $h }.
-page-paper-four-paper-says = Die Gerade des Aufsatzes ergibt e = 0,9375 und h₀ = 26,7 cm.
+page-paper-four-paper-says = Die Gerade des Artikels ergibt e = 0,9375 und h₀ = 26,7 cm.
 page-paper-four-truth = Wahre Fallhöhe: 30,5 cm.
-page-paper-four-hit = Das ist das Ergebnis des Aufsatzes, auf die letzte Stelle.
+page-paper-four-hit = Das ist das Ergebnis des Artikels, auf die letzte Stelle.
 page-paper-four-solve-drag = e gleich, zehn Flüge
 page-paper-four-solve-many = e gleich, 21 Flüge
 page-paper-four-solve-slope = e fällt mit dem Tempo, zehn Flüge
-page-paper-four-see = Fallhöhe nach der Ausgleichsgeraden über der Zahl ihrer Flüge. Grau: Ohne Luft bleibt sie gleich, solange die Stoßzahl konstant ist. Orangerot: Mit Luft sinkt sie mit jedem Flug. Blau: das Ergebnis des Aufsatzes.
+page-paper-four-see = Fallhöhe nach der Ausgleichsgeraden über der Zahl ihrer Flüge. Grau: Ohne Luft bleibt sie gleich, solange die Stoßzahl konstant ist. Orangerot: Mit Luft sinkt sie mit jedem Flug. Blau: das Ergebnis des Artikels.
 
 page-paper-five-title = 5. Die Erklärung
-page-paper-five-text-1 = Luftwiderstand mit gleichbleibender Stoßzahl erklärt etwa die Hälfte der Lücke: Ein Ball mit e = 0,953 gäbe die 0,9375 des Aufsatzes, aber 28,8 cm.
+page-paper-five-text-1 = Luftwiderstand mit gleichbleibender Stoßzahl erklärt etwa die Hälfte der Lücke: Ein Ball mit e = 0,953 gäbe die 0,9375 des Artikels, aber 28,8 cm.
 page-paper-five-text-2 = Für den Rest gibt es zwei Erklärungen: Die Stoßzahl fällt etwas mit dem Tempo, wie bei echten Bällen, oder es gingen mehr als zehn Flüge in die Gerade ein. Die Ausgleichsgerade kann beides nicht unterscheiden, denn ihr Ergebnis hängt von der Zahl der Flüge ab.
 page-paper-five-text-3 = Darum schätzt das Labor auf dieser Seite Fallhöhe, Luftwiderstand und Stoßzahl gemeinsam aus den Aufprallzeiten, mit ihren Unsicherheiten.
 page-paper-five-law = Stoßzahl
@@ -349,12 +359,12 @@ page-paper-five-flights = Flüge
 page-paper-five-first = e bei 2,4 m/s
 page-paper-five-slow = e bei 0,5 m/s
 page-paper-five-height = h₀ der Geraden
-page-paper-five-same = Die 26,7 cm des Aufsatzes?
+page-paper-five-same = Die 26,7 cm des Artikels?
 page-paper-five-yes = ja
 page-paper-five-no = nein
 page-paper-five-caption = Modelle, für die die Ausgleichsgerade e = 0,9375 ergibt; Knicke liegen bei 1,5 m/s
 
-page-paper-six-title = 6. Alle Zahlen des Aufsatzes
+page-paper-six-title = 6. Alle Zahlen des Artikels
 page-paper-six-lead = Wie gedruckt und wie hier berechnet. Druckfehler der Gleichungen sind berichtigt.
 page-paper-six-quantity = Größe
 page-paper-six-printed = Gedruckt

@@ -95,7 +95,7 @@ figure-drag-log-reached = A constant drag coefficient is a straight line here; t
 figure-drag-log-empty = There are no drag curves to show.
 
 figure-flight-times-title = Flight times and the log-linear fit
-figure-flight-times-tab = Flights
+figure-flight-times-tab = With and without air
 figure-flight-times-caption = Without air each flight would last the same share of the one before, { $ratio } by the fit; a bend in the lower panel shows drag, or a restitution that changes with speed.
 figure-flight-times-no-line = { $count ->
     [one] 1 flight

@@ -19,7 +19,6 @@ page-app-reload = Reload
 page-app-undo = Undo
 page-app-redo = Redo
 page-app-cancel = Cancel
-page-app-why = Why?
 page-app-number-wanted = A number{ $most ->
     [none] { $least ->
         [none] {""}
@@ -47,6 +46,8 @@ page-lab-demo-name = demo
 page-lab-recording-name = drop { $date }
 page-lab-starting = Asking for the microphone …
 page-lab-listening = Listening. Drop the ball.
+page-lab-hint-quiet = Nothing loud was heard yet: put the microphone nearer to where the ball lands.
+page-lab-hint-no-bounces = There are sounds, but no bounces: put the phone nearer to where the ball lands, on a hard floor, and let it bounce until it rests.
 page-lab-so-far = { $count ->
     [one] 1 impact so far
    *[other] { $count } impacts so far
@@ -65,6 +66,7 @@ page-lab-uncertain = { $count } uncertain
 page-lab-edited = edited by hand
 page-lab-drop-of = Drop { $index } of { $count }
 page-lab-drops-heard = Drops in this recording
+page-lab-why = With and without air
 page-lab-why-air-1 = A straight line through the logarithms of the flight times (log-linear fit) is the classic way to measure restitution. But air also slows the ball, and the fit attributes this to the impacts.
 page-lab-why-air-2 = The grey points neglect the air; the blue ones are corrected for drag. They show the ball and the surface alone.
 page-lab-refining = Computing the inference with air …
@@ -76,6 +78,7 @@ page-lab-narrowed = { $unknown }: { $share } of the width remains
 page-lab-assumed = assumed
 page-lab-no-drop-title = No drop found.
 page-lab-no-drop-hint = Put the microphone close to where the ball lands, on a hard surface, and let it bounce until it rests. If you can see the impacts in the waveform, mark them by hand: double-click, or press Enter at the cursor.
+page-lab-no-drop-hint-touch = Put the phone close to where the ball lands, on a hard surface, and let it bounce until it rests. If you can see the impacts in the waveform, mark them by hand with a double tap.
 page-lab-interrupted-title = A recording of { $date } was interrupted.
 page-lab-progress = Progress
 page-lab-unkept-title = The recording of { $date } is not in the table of drops.
@@ -88,7 +91,11 @@ page-rest-speech = Speak the answer
 page-rest-vibration = Vibrate
 page-rest-plus-minus = plus or minus
 
-page-words-restitution = Restitution is the speed just after an impact over the speed just before it.
+page-words-title = What do these words mean?
+page-words-restitution = Restitution is the speed just after an impact over the speed just before it: 90 % means that the ball loses a tenth of its speed.
+page-words-energy = Energy grows with the square of the speed: a ball that keeps 90 % of its speed keeps 81 % of its energy.
+page-words-height = The drop height is computed from the times between the impacts. The curve shows how high the ball rose after each of them.
+page-words-uncertainty = ± is the standard uncertainty: with a probability of about two thirds the true value lies within it, with 95 % within twice of it.
 
 page-faults-refused-what = The browser may not use the microphone.
 page-faults-refused-do = Allow it in the address bar (the lock or microphone sign) and tap Listen again. On a phone, also look into the settings of the browser app. You can open a recording instead.
@@ -200,6 +207,9 @@ page-wave-pointer = Drag to move, pinch or turn the wheel to zoom (click first),
 page-wave-times = There are only times: no sound to show.
 
 page-figures-title = Figures
+page-figures-more = More figures
+page-figures-fewer = Fewer figures
+page-curve-label = Height of the ball against time; the first hop detected rises to { $height }
 page-figures-against = { $y } against { $x }
 page-figures-reset = Drag sideways to zoom, double-click to see all.
 page-figures-numbers = The same as numbers

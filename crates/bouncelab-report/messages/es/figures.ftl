@@ -93,7 +93,7 @@ figure-drag-log-reached = Un coeficiente de arrastre constante es aquí una rect
 figure-drag-log-empty = No hay curvas de arrastre que mostrar.
 
 figure-flight-times-title = Tiempos de vuelo y ajuste log-lineal
-figure-flight-times-tab = Vuelos
+figure-flight-times-tab = Con aire y sin aire
 figure-flight-times-caption = Sin aire, cada vuelo duraría la misma fracción del anterior, { $ratio } según el ajuste; una curvatura en el panel inferior revela el arrastre, o una restitución que cambia con la velocidad.
 figure-flight-times-no-line = { $count ->
     [one] 1 vuelo

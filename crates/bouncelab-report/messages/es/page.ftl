@@ -17,7 +17,6 @@ page-app-reload = Recargar
 page-app-undo = Deshacer
 page-app-redo = Rehacer
 page-app-cancel = Cancelar
-page-app-why = ¿Por qué?
 page-app-number-wanted = Aquí se espera un número{ $most ->
     [none] { $least ->
         [none] {""}
@@ -45,6 +44,8 @@ page-lab-demo-name = ejemplo
 page-lab-recording-name = ensayo { $date }
 page-lab-starting = Solicitando el micrófono …
 page-lab-listening = Escuchando. Deje caer la pelota.
+page-lab-hint-quiet = Aún no se ha oído nada fuerte: acerca el micrófono al lugar donde cae la pelota.
+page-lab-hint-no-bounces = Se oyen sonidos, pero ningún rebote: acerca el teléfono al lugar donde cae la pelota, sobre un suelo duro, y deja que rebote hasta que repose.
 page-lab-so-far = { $count ->
     [one] 1 impacto hasta ahora
    *[other] { $count } impactos hasta ahora
@@ -66,6 +67,7 @@ page-lab-uncertain = { $count ->
 page-lab-edited = editado a mano
 page-lab-drop-of = Ensayo { $index } de { $count }
 page-lab-drops-heard = Ensayos de esta grabación
+page-lab-why = Con aire y sin aire
 page-lab-why-air-1 = Una recta por los logaritmos de los tiempos de vuelo (ajuste log-lineal) es la forma clásica de medir el coeficiente de restitución. Pero el aire también frena la pelota, y el ajuste lo atribuye a los impactos.
 page-lab-why-air-2 = Los puntos grises no cuentan el aire; los azules están corregidos por arrastre. Muestran solo la pelota y la superficie.
 page-lab-refining = Calculando la inferencia con aire …
@@ -77,6 +79,7 @@ page-lab-narrowed = { $unknown }: queda { $share } de la anchura
 page-lab-assumed = supuesto
 page-lab-no-drop-title = No se halló ningún ensayo.
 page-lab-no-drop-hint = Ponga el micrófono cerca de donde cae la pelota, sobre una superficie dura, y déjela rebotar hasta el reposo. Si ve los impactos en la forma de onda, márquelos a mano: doble clic, o Intro en el cursor.
+page-lab-no-drop-hint-touch = Pon el teléfono cerca de donde cae la pelota, sobre una superficie dura, y deja que rebote hasta que repose. Si ves los impactos en la forma de onda, márcalos con un doble toque.
 page-lab-interrupted-title = Se interrumpió una grabación del { $date }.
 page-lab-progress = Progreso
 page-lab-unkept-title = La grabación del { $date } no está en la tabla de ensayos.
@@ -89,7 +92,11 @@ page-rest-speech = Decir el resultado
 page-rest-vibration = Vibrar
 page-rest-plus-minus = más o menos
 
-page-words-restitution = El coeficiente de restitución es la velocidad justo después de un impacto entre la velocidad justo antes.
+page-words-title = ¿Qué significan estas palabras?
+page-words-restitution = La restitución es la velocidad justo después de un impacto dividida por la de justo antes: el 90 % significa que la pelota pierde una décima parte de su velocidad.
+page-words-energy = La energía crece con el cuadrado de la velocidad: una pelota que conserva el 90 % de su velocidad conserva el 81 % de su energía.
+page-words-height = La altura de caída se calcula a partir de los tiempos entre los impactos. La curva muestra hasta dónde subió la pelota después de cada uno.
+page-words-uncertainty = ± es la incertidumbre típica: el valor verdadero está dentro con una probabilidad de unos dos tercios, y dentro del doble con el 95 %.
 
 page-faults-refused-what = El navegador no puede usar el micrófono.
 page-faults-refused-do = Permítalo en la barra de direcciones (candado o micrófono) y toque «Escuchar» otra vez. En un teléfono, mire también los ajustes de la aplicación del navegador. En su lugar puede abrir una grabación.
@@ -201,6 +208,9 @@ page-wave-pointer = Arrastre para moverse, pellizque o gire la rueda para amplia
 page-wave-times = Solo hay tiempos: no hay sonido que mostrar.
 
 page-figures-title = Figuras
+page-figures-more = Más figuras
+page-figures-fewer = Menos figuras
+page-curve-label = Altura de la pelota en función del tiempo; el primer salto detectado sube hasta { $height }
 page-figures-against = { $y } frente a { $x }
 page-figures-reset = Arrastre de lado para ampliar, doble clic para ver todo.
 page-figures-numbers = Lo mismo en números

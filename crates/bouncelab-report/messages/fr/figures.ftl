@@ -93,7 +93,7 @@ figure-drag-log-reached = Un coefficient de traînée constant est ici une droit
 figure-drag-log-empty = Il n’y a pas de courbe de traînée à montrer.
 
 figure-flight-times-title = Temps de vol et ajustement log-linéaire
-figure-flight-times-tab = Vols
+figure-flight-times-tab = Avec et sans air
 figure-flight-times-caption = Sans air, chaque vol durerait la même fraction du précédent, { $ratio } d’après l’ajustement ; une courbure dans le panneau du bas révèle la traînée, ou une restitution qui change avec la vitesse.
 figure-flight-times-no-line = { $count ->
     [one] { $count } vol

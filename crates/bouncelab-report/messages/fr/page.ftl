@@ -17,7 +17,6 @@ page-app-reload = Recharger
 page-app-undo = Annuler
 page-app-redo = Rétablir
 page-app-cancel = Interrompre
-page-app-why = Pourquoi ?
 page-app-number-wanted = Un nombre{ $most ->
     [none] { $least ->
         [none] {""}
@@ -45,6 +44,8 @@ page-lab-demo-name = exemple
 page-lab-recording-name = essai { $date }
 page-lab-starting = Demande d’accès au microphone …
 page-lab-listening = À l’écoute. Faites tomber la balle.
+page-lab-hint-quiet = Rien de fort n’a encore été entendu : rapproche le microphone de l’endroit où la balle tombe.
+page-lab-hint-no-bounces = On entend des sons, mais pas de rebonds : rapproche le téléphone de l’endroit où la balle tombe, sur un sol dur, et laisse-la rebondir jusqu’à ce qu’elle repose.
 page-lab-so-far = { $count ->
     [one] { $count } impact jusqu’ici
    *[other] { $count } impacts jusqu’ici
@@ -66,6 +67,7 @@ page-lab-uncertain = { $count ->
 page-lab-edited = modifié à la main
 page-lab-drop-of = Essai { $index } sur { $count }
 page-lab-drops-heard = Essais de cet enregistrement
+page-lab-why = Avec et sans air
 page-lab-why-air-1 = Une droite à travers les logarithmes des temps de vol (ajustement log-linéaire) est la manière classique de mesurer le coefficient de restitution. Mais l’air aussi ralentit la balle, et l’ajustement attribue cela aux impacts.
 page-lab-why-air-2 = Les points gris négligent l’air ; les bleus sont corrigés de la traînée. Ils montrent la balle et la surface seules.
 page-lab-refining = Calcul de l’inférence avec air …
@@ -77,6 +79,7 @@ page-lab-narrowed = { $unknown } : il reste { $share } de la largeur
 page-lab-assumed = supposé
 page-lab-no-drop-title = Aucun essai trouvé.
 page-lab-no-drop-hint = Placez le microphone près du point de chute, sur une surface dure, et laissez la balle rebondir jusqu’au repos. Si vous voyez les impacts dans la forme d’onde, marquez-les à la main : double clic, ou Entrée au curseur.
+page-lab-no-drop-hint-touch = Pose le téléphone près de l’endroit où la balle tombe, sur une surface dure, et laisse-la rebondir jusqu’à ce qu’elle repose. Si tu vois les impacts dans la forme d’onde, marque-les d’un double toucher.
 page-lab-interrupted-title = Un enregistrement du { $date } a été interrompu.
 page-lab-progress = Progression
 page-lab-unkept-title = L’enregistrement du { $date } n’est pas dans le tableau des essais.
@@ -89,7 +92,11 @@ page-rest-speech = Dire le résultat
 page-rest-vibration = Vibrer
 page-rest-plus-minus = plus ou moins
 
-page-words-restitution = Le coefficient de restitution est le rapport de la vitesse juste après un impact à la vitesse juste avant.
+page-words-title = Que veulent dire ces mots ?
+page-words-restitution = La restitution est la vitesse juste après un impact divisée par celle juste avant : 90 % veut dire que la balle perd un dixième de sa vitesse.
+page-words-energy = L’énergie croît avec le carré de la vitesse : une balle qui garde 90 % de sa vitesse garde 81 % de son énergie.
+page-words-height = La hauteur de chute est calculée à partir des durées entre les impacts. La courbe montre jusqu’où la balle est montée après chacun.
+page-words-uncertainty = ± est l’incertitude-type : la vraie valeur s’y trouve avec une probabilité d’environ deux tiers, et dans le double avec 95 %.
 
 page-faults-refused-what = Le navigateur n’a pas le droit d’utiliser le microphone.
 page-faults-refused-do = Autorisez-le dans la barre d’adresse (cadenas ou microphone) et touchez « Écouter » à nouveau. Sur un téléphone, voyez aussi les réglages de l’application du navigateur. Vous pouvez ouvrir un enregistrement à la place.
@@ -201,6 +208,9 @@ page-wave-pointer = Glissez pour déplacer, pincez ou tournez la molette pour ag
 page-wave-times = Il n’y a que des temps : aucun son à montrer.
 
 page-figures-title = Figures
+page-figures-more = Plus de figures
+page-figures-fewer = Moins de figures
+page-curve-label = Hauteur de la balle en fonction du temps ; le premier saut détecté monte à { $height }
 page-figures-against = { $y } en fonction de { $x }
 page-figures-reset = Glissez latéralement pour agrandir, double clic pour tout voir.
 page-figures-numbers = Les mêmes en nombres

@@ -1,3 +1,4 @@
+import { computed, signal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { Chart } from '../../chart/Chart.tsx';
 import { NumbersOf } from '../../chart/NumbersOf.tsx';
@@ -5,12 +6,38 @@ import { figure, figures, show, shown } from '../../state/figures.ts';
 import { text } from '../../text/language.ts';
 import { SaveFigure } from './SaveFigure.tsx';
 
+/** The figures of a lesson; the others are there for those who want more. */
+const SCHOOL = ['restitution', 'height', 'bounce-energies', 'flight-times'];
+
+const more = signal(false);
+const offered = computed(() => {
+  const isOfSchool = ({ name }: { readonly name: string }): boolean => SCHOOL.includes(name);
+  const placeOf = ({ name }: { readonly name: string }): number => SCHOOL.indexOf(name);
+  const school = figures.value.filter(isOfSchool).sort((a, b) => placeOf(a) - placeOf(b));
+  // What is compared with a simulation was asked for.
+  const isShown = (figure: { readonly name: string }): boolean =>
+    !isOfSchool(figure) && (more.value || figure.name === shown.value);
+  return [...school, ...figures.value.filter(isShown)];
+});
+
 /** One figure at a time, each with one sentence on what to see in it. */
 export function FigureTabs() {
   if (figures.value.length === 0) return null;
   return (
     <section class="figures" aria-label={text('page-figures-title')}>
-      <Tabs />
+      <div class="choose">
+        <Tabs />
+        <button
+          type="button"
+          class="quiet"
+          aria-expanded={more.value}
+          onClick={() => {
+            more.value = !more.value;
+          }}
+        >
+          {more.value ? text('page-figures-fewer') : text('page-figures-more')}
+        </button>
+      </div>
       <Panel />
     </section>
   );
@@ -18,7 +45,7 @@ export function FigureTabs() {
 
 function Tabs() {
   const list = useRef<HTMLDivElement>(null);
-  const all = figures.value;
+  const all = offered.value;
   const step = (by: number): void => {
     const at = all.findIndex(({ name }) => name === shown.peek());
     const next = all[(at + by + all.length) % all.length];

@@ -1,26 +1,28 @@
 import { busy, workspace } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
+import { Answer } from './Answer.tsx';
 import { AtRest } from './AtRest.tsx';
 import { BallRow } from './BallRow.tsx';
+import { Explained } from './Explained.tsx';
 import { FigureTabs } from './FigureTabs.tsx';
 import { Keep } from './Keep.tsx';
 import { ListenBar } from './ListenBar.tsx';
 import { LiveStrip } from './LiveStrip.tsx';
-import { ResultSummary } from './ResultSummary.tsx';
 import { SettingsLine } from './SettingsLine.tsx';
 import { Troubles } from './Troubles.tsx';
 import { WaveEditor } from './WaveEditor.tsx';
 import { Welcome } from './Welcome.tsx';
 
-/** The laboratory: the button to listen, then the answer, the waveform, the figures and all numbers. */
+/** The laboratory: the answer, the way to the next drop, the waveform, the figures and all numbers. */
 export function Laboratory() {
   if (!workspace.value && !busy.value) return <Welcome />;
   return (
     <div class="lab">
       <h1 class="unseen">{text('page-app-title')}</h1>
-      <ListenBar />
       <Troubles />
-      {busy.value ? <LiveStrip /> : <Workspace />}
+      {busy.value ? <LiveStrip /> : <Answer />}
+      <ListenBar />
+      {!busy.value && <Workspace />}
     </div>
   );
 }
@@ -31,7 +33,7 @@ function Workspace() {
       <WaveEditor />
       <BallRow />
       <div class="workspace">
-        <ResultSummary />
+        <Explained />
         <FigureTabs />
         <div class="stack rest">
           <SettingsLine />

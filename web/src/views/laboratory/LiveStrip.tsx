@@ -1,6 +1,7 @@
 import { useEffect, useRef } from 'preact/hooks';
+import { HeightCurve, hopsOf } from '../../app/HeightCurve.tsx';
 import { PERCENT, rounded } from '../../format/quantity.ts';
-import { live, savedS, soFar } from '../../state/listening.ts';
+import { hint, live, savedS, soFar } from '../../state/listening.ts';
 import { phase } from '../../state/workspace.ts';
 import { language, text } from '../../text/language.ts';
 import { paintLive } from '../../wave/live-painter.ts';
@@ -20,10 +21,13 @@ export function LiveStrip() {
   }, []);
   return (
     <section class="stack wide">
-      <canvas ref={canvas} class="live" aria-hidden="true" />
       <p class="lead" role="status">
         <RunningSentence />
       </p>
+      {phase.value.kind === 'listening' && (
+        <HeightCurve hops={soFar.value?.drop ? hopsOf(soFar.value.drop) : []} leastS={2} />
+      )}
+      <canvas ref={canvas} class="live" aria-hidden="true" />
       {phase.value.kind === 'reading' ? (
         <Progress share={phase.value.share} />
       ) : (
@@ -48,7 +52,13 @@ function RunningSentence() {
   if (now.kind === 'starting') return <>{text('page-lab-starting')}</>;
   if (now.kind === 'reading') return <>{text('page-lab-opening', { name: now.name })}</>;
   const count = soFar.value?.drop?.impacts.length ?? 0;
-  if (count === 0) return <>{text('page-lab-listening')}</>;
+  if (count === 0) {
+    return (
+      <>
+        {text('page-lab-listening')} {hint.value && text(`page-lab-hint-${hint.value}`)}
+      </>
+    );
+  }
   const keeps = soFar.value?.drop?.log_linear_fit?.restitution.value;
   const share = keeps === undefined ? undefined : rounded(keeps, 3, PERCENT, language.value);
   return (

@@ -1,4 +1,5 @@
 import { analysed, workspace } from '../../state/workspace.ts';
+import { handheld } from '../../style/media.ts';
 import { text } from '../../text/language.ts';
 
 /** Why there is no drop, and what to do about it. */
@@ -10,7 +11,9 @@ export function NoDrop() {
         <strong>{text('page-lab-no-drop-title')}</strong>
       </p>
       {reason && <p>{reason}</p>}
-      {workspace.value?.pyramid && <p>{text('page-lab-no-drop-hint')}</p>}
+      {workspace.value?.pyramid && (
+        <p>{text(handheld ? 'page-lab-no-drop-hint-touch' : 'page-lab-no-drop-hint')}</p>
+      )}
     </div>
   );
 }

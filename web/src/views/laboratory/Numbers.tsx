@@ -11,7 +11,6 @@ export function Numbers() {
   return (
     <details>
       <summary>{text('page-lab-more')}</summary>
-      <p class="small soft">{text('page-words-restitution')}</p>
       <Lists lists={main} />
       {details.length > 0 && (
         <details>

@@ -1,30 +1,39 @@
+import { computed } from '@preact/signals';
 import { perCent } from '../../format/quantity.ts';
 import type { Diagnostic, PriorContraction } from '../../lab/index.ts';
 import { analysed, drop, refining } from '../../state/workspace.ts';
 import { language, text } from '../../text/language.ts';
 
-/** The diagnostics of the drop and its recording, and what the drop can and cannot determine. */
+/** Warnings that describe the ball and its surface: nothing is to be done about them. */
+const DESCRIPTIONS = new Set(['impacts-odd', 'scatter-exceeds-prior', 'never-rests']);
+
+/** The diagnostics of the drop and its recording; an error is why there is no answer, which stands in its place. */
+const diagnostics = computed(() => {
+  const ofDrop = drop.value?.diagnostics.filter(({ severity }) => severity !== 'error') ?? [];
+  return [...ofDrop, ...(drop.value ? (analysed.value?.document.diagnostics ?? []) : [])];
+});
+const isWarning = ({ severity, code }: Diagnostic): boolean =>
+  severity === 'warning' && !DESCRIPTIONS.has(code);
+
+/** What the reader should look at or do, beside the answer. */
+export function Warnings() {
+  const warnings = diagnostics.value.filter(isWarning);
+  return warnings.length === 0 ? null : <Messages of={warnings} kind="notice" />;
+}
+
+/** The other diagnostics, and what the drop can and cannot determine. */
 export function Remarks() {
-  const result = drop.value;
-  if (!result) return null;
-  // An error is why there is no answer, which stands in its place.
-  const ofDrop = result.diagnostics.filter(({ severity }) => severity !== 'error');
-  const all = [...ofDrop, ...(analysed.value?.document.diagnostics ?? [])];
-  const warnings = all.filter(({ severity }) => severity === 'warning');
-  const others = all.filter(({ severity }) => severity !== 'warning');
-  const narrowed = result.posterior?.prior_contraction ?? [];
+  const others = diagnostics.value.filter((diagnostic) => !isWarning(diagnostic));
+  const posterior = drop.value?.posterior;
+  const narrowed = posterior?.prior_contraction ?? [];
+  // It stays while the inference runs, unfolded if it was.
+  if (!posterior && others.length === 0 && !refining.value) return null;
   return (
-    <>
-      {warnings.length > 0 && <Messages of={warnings} kind="notice" />}
-      {/* It stays while the inference runs, unfolded if it was. */}
-      {(result.posterior || others.length > 0 || refining.value) && (
-        <details>
-          <summary>{text('page-lab-tells')}</summary>
-          <Messages of={others} kind="small" />
-          {narrowed.length > 0 && <PriorContractions narrowed={narrowed} />}
-        </details>
-      )}
-    </>
+    <details>
+      <summary>{text('page-lab-tells')}</summary>
+      <Messages of={others} kind="small" />
+      {narrowed.length > 0 && <PriorContractions narrowed={narrowed} />}
+    </details>
   );
 }
 

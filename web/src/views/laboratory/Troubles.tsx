@@ -4,7 +4,6 @@ import { busy, fault } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 import { Orphans } from './Orphans.tsx';
 import { SaveSound } from './SaveSound.tsx';
-import { SetUp } from './SetUp.tsx';
 
 /** What went wrong or needs attention. */
 export function Troubles() {
@@ -20,7 +19,6 @@ export function Troubles() {
           {text('page-app-unreadable-link', { parts: unreadable.value.join(', ') })}
         </p>
       )}
-      {!busy.value && <SetUp />}
       {!busy.value && <Orphans />}
     </>
   );

@@ -1,3 +1,4 @@
+import { handheld } from '../../style/media.ts';
 import { text } from '../../text/language.ts';
 import { AtRest } from './AtRest.tsx';
 import { BallRow } from './BallRow.tsx';
@@ -5,9 +6,8 @@ import { ListenButton } from './ListenButton.tsx';
 import { OtherWays } from './OtherWays.tsx';
 import { Paste } from './Paste.tsx';
 import { pasting } from './pasting.ts';
+import { SetUp } from './SetUp.tsx';
 import { Troubles } from './Troubles.tsx';
-
-const handheld = globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
 
 /** Before the first drop: a sentence, a button, the balls, three quiet links and what to do at the end. */
 export function Welcome() {
@@ -19,6 +19,7 @@ export function Welcome() {
       <OtherWays />
       <AtRest />
       <Troubles />
+      <SetUp />
       {pasting.value && <Paste />}
     </div>
   );

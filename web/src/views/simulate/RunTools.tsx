@@ -2,6 +2,7 @@ import { focusPage, handFocusOn } from '../../app/focus.ts';
 import { Pause, Play } from '../../app/icons.tsx';
 import { fixed, LENGTH, rounded } from '../../format/quantity.ts';
 import { playing, stop } from '../../sound/player.ts';
+import { show } from '../../state/figures.ts';
 import { labAddress } from '../../state/settings.ts';
 import {
   analyseRun,
@@ -50,7 +51,7 @@ export function RunTools() {
           {text('page-simulate-analyse')}
         </button>
         {drop.value && (
-          <button type="button" class="quiet" disabled={!ready} onClick={layOver}>
+          <button type="button" class="quiet" disabled={!ready} onClick={compare}>
             {text('page-simulate-lay')}
           </button>
         )}
@@ -110,4 +111,10 @@ function inWords({ setup }: Run): string {
   const body = nameIn(`page-simulate-bodies-${setup.body}`, setup.body);
   const law = setup.law || fixed(setup.restitution, 4, spoken);
   return `${ballName(setup.ball)}, ${height}, e ${law}, ${body}`;
+}
+
+/** The figure with the comparison is what the way back to the laboratory leads to. */
+function compare(): void {
+  layOver();
+  show('comparison');
 }

@@ -1,9 +1,17 @@
+import { HeightCurve, hopsOfSimulation } from '../../app/HeightCurve.tsx';
 import { Rich } from '../../app/Rich.tsx';
 import { Figure, useAnswer } from '../../chart/Figure.tsx';
 import { fixed, LENGTH, PERCENT, rounded, SPEED, TIME } from '../../format/quantity.ts';
 import type { Simulation } from '../../lab/index.ts';
 import { engine } from '../../state/engine.ts';
-import { impossible, outcome, requestOf, runs, simulating } from '../../state/simulating.ts';
+import {
+  dropped,
+  impossible,
+  outcome,
+  requestOf,
+  runs,
+  simulating,
+} from '../../state/simulating.ts';
 import { language, parts, text } from '../../text/language.ts';
 import { RunTools } from './RunTools.tsx';
 import { Sliders } from './Sliders.tsx';
@@ -38,6 +46,7 @@ export function Simulate() {
             </p>
           )}
           {simulation && <Outcome simulation={simulation} />}
+          {simulation && <HeightCurve hops={hopsOfSimulation(simulation)} since={dropped.value} />}
           {done && <Figure chart={charts?.[0]} />}
           {done && <Figure chart={charts?.[1]} numbers />}
         </div>

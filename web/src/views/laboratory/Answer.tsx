@@ -1,36 +1,52 @@
 import { Fragment } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
+import { HeightCurve, hopsOf } from '../../app/HeightCurve.tsx';
 import { Rich } from '../../app/Rich.tsx';
-import type { Headline, Sentence } from '../../lab/index.ts';
-import { edited, headline, marks, refining, workspace } from '../../state/workspace.ts';
+import type { Headline } from '../../lab/index.ts';
+import {
+  analysed,
+  drop,
+  edited,
+  headline,
+  marks,
+  refining,
+  workspace,
+} from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 import { CERTAIN } from '../../wave/mark.ts';
 import { listed } from './ImpactTable.tsx';
 import { NoDrop } from './NoDrop.tsx';
-import { Numbers } from './Numbers.tsx';
-import { Remarks } from './Remarks.tsx';
-import { Why } from './Why.tsx';
+import { Warnings } from './Remarks.tsx';
+import { SetUp } from './SetUp.tsx';
 
-/** The answer, a sentence first. */
-export function ResultSummary() {
+/** The answer: a sentence, and the height of the ball against time. */
+export function Answer() {
+  const place = useRef<HTMLElement>(null);
+  const { recording } = workspace.value ?? {};
+  // The answer to a new drop is what the reader sees, wherever the last one was left.
+  useEffect(() => {
+    if ((place.current?.getBoundingClientRect().top ?? 0) < 0) place.current?.scrollIntoView();
+  }, [recording]);
   const answer = headline.value;
   return (
     <section
+      ref={place}
       class="summary"
       aria-label={text('page-lab-result')}
       aria-live="polite"
       aria-busy={refining.value}
     >
-      {workspace.value?.recording.result.drops.length === 0 && marks.value.length < 3 && <NoDrop />}
-      {marks.value.length > 0 && !answer && <p class="second">{text('page-lab-cannot-tell')}</p>}
-      {answer && <Sentences headline={answer} />}
-      {marks.value.length > 0 && <Count />}
-      {answer && (
-        <>
-          {answer.without_air && <Air sentence={answer.without_air} />}
-          <Remarks />
-          <Numbers />
-        </>
-      )}
+      <div class="said">
+        {recording?.result.drops.length === 0 && marks.value.length < 3 && <NoDrop />}
+        {marks.value.length > 0 && analysed.value && !answer && (
+          <p class="second">{text('page-lab-cannot-tell')}</p>
+        )}
+        {answer && <Sentences headline={answer} />}
+        {marks.value.length > 0 && <Count />}
+        <SetUp />
+        <Warnings />
+      </div>
+      {drop.value && <HeightCurve hops={hopsOf(drop.value)} />}
     </section>
   );
 }
@@ -41,7 +57,7 @@ function Sentences({ headline: { is_answer, sentences } }: { readonly headline: 
   return (
     <>
       {first && (
-        <p class={is_answer ? 'first' : 'second'} title={text('page-words-restitution')}>
+        <p class={is_answer ? 'first' : 'second'}>
           <Rich parts={first} />
         </p>
       )}
@@ -78,17 +94,5 @@ function Count() {
       {edited.value && <span class="soft"> · {text('page-lab-edited')}</span>}
       {refining.value && <span class="soft"> · {text('page-lab-refining')}</span>}
     </p>
-  );
-}
-
-/** What the log-linear fit gives, and why it differs. */
-function Air({ sentence }: { readonly sentence: Sentence }) {
-  return (
-    <div class="stack">
-      <p>
-        <Rich parts={sentence} />
-      </p>
-      <Why />
-    </div>
   );
 }
