@@ -39,7 +39,9 @@ export function precache({ source }: { source: string }): Plugin {
         .map((file) => (file.fileName === 'index.html' ? './' : file.fileName))
         .filter((name) => !name.endsWith('.map'))
         // Copied as they are, so they are not in the bundle.
-        .concat(existsSync(publicFolder) ? readdirSync(publicFolder) : []);
+        .concat(existsSync(publicFolder) ? readdirSync(publicFolder) : [])
+        // Only the browser shows them, before the page is installed.
+        .filter((name) => !name.startsWith('screenshot-'));
       worker.code = worker.code
         .replace('__PRECACHE__', JSON.stringify(names))
         .replace('__VERSION__', JSON.stringify(hash.digest('hex').slice(0, 12)));

@@ -2,6 +2,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { route } from '../address/route.ts';
 import { stop } from '../sound/player.ts';
 import { broken, catalogue } from '../state/engine.ts';
+import { rescue } from '../state/keeping.ts';
 import { openFile } from '../state/opening.ts';
 import { goToLab } from '../state/settings.ts';
 import { busy } from '../state/workspace.ts';
@@ -76,7 +77,7 @@ function Footer() {
         {newer.value && !busy.value && (
           <span role="status">
             {text('page-app-newer')}{' '}
-            <button type="button" class="quiet slim" onClick={takeOver}>
+            <button type="button" class="quiet slim" onClick={() => void rescue().then(takeOver)}>
               {text('page-app-reload')}
             </button>
           </span>

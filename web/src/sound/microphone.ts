@@ -27,10 +27,16 @@ export class MicrophoneError extends Error {
 /** The longest time that a browser may take to start, in milliseconds. */
 const PATIENCE_MS = 5000;
 
+/** What browsers do to voices, and what eats impacts. */
+const PROCESSING = ['echoCancellation', 'noiseSuppression', 'autoGainControl'] as const;
+export type Processing = (typeof PROCESSING)[number];
+
 /** An open microphone. */
 export interface Microphone {
   /** Samples a second, as the device really gives them. */
   readonly rateHz: number;
+  /** What the device does to the sound although it was asked not to. */
+  readonly processing: readonly Processing[];
   /** Stops the device; the indicator of the browser goes out. */
   close(): Promise<void>;
 }
@@ -64,9 +70,7 @@ async function rawStream(devices: MediaDevices): Promise<MediaStream> {
   try {
     return await devices.getUserMedia({
       audio: {
-        echoCancellation: false,
-        noiseSuppression: false,
-        autoGainControl: false,
+        ...Object.fromEntries(PROCESSING.map((name) => [name, false])),
         channelCount: 1,
       },
     });
@@ -125,8 +129,10 @@ async function listenIn(
   context.onstatechange = () => {
     if (context.state !== 'running') events.lost();
   };
+  const settings = stream.getAudioTracks()[0]?.getSettings() ?? {};
   return {
     rateHz: context.sampleRate,
+    processing: PROCESSING.filter((name) => settings[name] === true),
     close: async () => {
       stopAll(stream);
       node.port.onmessage = null;

@@ -6,6 +6,7 @@ import { lock, locked } from '../store/locks.ts';
 import { addRecording, deleteRecording } from '../store/recordings.ts';
 import { setMarks } from './editing.ts';
 import { askToLast, lookAtLasting } from './lasting.ts';
+import { linkOfDrop } from './linking.ts';
 import { dropNear, forEngine } from './marks.ts';
 import { type Measured, measureMarks, summaryOf } from './measuring.ts';
 import { openLinked, openStored } from './opening.ts';
@@ -97,6 +98,17 @@ async function storeSound(name: string): Promise<string | null> {
   const stored = { id, name, rateHz, gaps, startedAt: Date.now(), finished: true };
   await addRecording(stored, recording.dropChannel.slice());
   return id;
+}
+
+/** Keeps what lies in the workspace beyond the end of the page: its sound, or its times in the address. */
+export async function rescue(): Promise<void> {
+  const loaded = workspace.peek();
+  if (!loaded || loaded.storedAs !== null) return;
+  if (loaded.pyramid) await storeSound(loaded.name).catch(() => undefined);
+  else {
+    const link = await linkOfDrop(loaded.name).catch(() => undefined);
+    if (link) location.replace(link.address);
+  }
 }
 
 /** What a reader may write about a kept drop. */

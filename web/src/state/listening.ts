@@ -13,7 +13,7 @@ import { region, text } from '../text/language.ts';
 import { engine, faultOf } from './engine.ts';
 import { askToLast } from './lasting.ts';
 import { hush, tellAnswer, vibrate } from './telling.ts';
-import { busy, fail, fault, phase, put } from './workspace.ts';
+import { busy, fail, fault, phase, processing, put } from './workspace.ts';
 
 /** What runs by while listening. */
 export const live = signal<LiveEnvelope | null>(null);
@@ -91,6 +91,7 @@ export async function listen(): Promise<void> {
       },
     });
     current = await begin(microphone);
+    processing.value = microphone.processing;
     for (const work of early) work(current);
     phase.value = { kind: 'listening' };
   } catch (error) {
@@ -220,7 +221,8 @@ export async function stopListening(atRest = false): Promise<void> {
   void send(ended).catch(() => undefined);
   const stored = await writer.finish();
   try {
-    put(name, await finished(listening, name), { storedAs: stored ? id : null });
+    const storedAs = stored ? id : null;
+    put(name, await finished(listening, name), { storedAs, processing: microphone.processing });
     if (atRest) tellAnswer();
     await writer.close();
   } catch (error) {

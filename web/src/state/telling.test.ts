@@ -26,7 +26,8 @@ const told = vi.hoisted(() => {
   return told;
 });
 
-import { Option, speech, tellAnswer, vibrate, vibration } from './telling.ts';
+import { Option } from './option.ts';
+import { speech, tellAnswer, vibrate, vibration } from './telling.ts';
 import { type Answer, analysed, refining, type Workspace, workspace } from './workspace.ts';
 
 const ANSWER =

@@ -1,35 +1,11 @@
 /** What the page does when the ball rests, if the reader wants it: it vibrates and speaks the answer. */
-import { effect, signal } from '@preact/signals';
-import { recall, remember } from '../address/memory.ts';
+import { effect } from '@preact/signals';
 import { spokenAnswer } from '../text/answer.ts';
 import { region } from '../text/language.ts';
+import { Option } from './option.ts';
 import { headline, refining, workspace } from './workspace.ts';
 
 const VIBRATION_MS = 300;
-
-/** A choice that the browser remembers: off, until it is made. */
-export class Option {
-  readonly #key: string;
-  readonly #isOn;
-
-  constructor(
-    name: string,
-    /** Whether the browser can do it. */
-    readonly offered: boolean,
-  ) {
-    this.#key = `bouncelab.${name}`;
-    this.#isOn = signal(recall(this.#key) === 'on');
-  }
-
-  get isOn(): boolean {
-    return this.offered && this.#isOn.value;
-  }
-
-  choose(isOn: boolean): void {
-    remember(this.#key, isOn ? 'on' : null);
-    this.#isOn.value = isOn;
-  }
-}
 
 export const speech = new Option('speech', 'speechSynthesis' in globalThis);
 export const vibration = new Option('vibration', 'vibrate' in navigator);

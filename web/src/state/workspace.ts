@@ -4,6 +4,7 @@
  */
 import { batch, computed, signal } from '@preact/signals';
 import type { Analysed, Drop, QuantityList, Recording, Settings } from '../lab/index.ts';
+import type { Processing } from '../sound/microphone.ts';
 import { stop } from '../sound/player.ts';
 import type { Pyramid } from '../wave/pyramid.ts';
 import { framing, type Viewport, whole } from '../wave/viewport.ts';
@@ -78,14 +79,24 @@ export interface Origin {
   readonly storedAs?: string | null;
   /** The set-up that it was made with; the reader's own if it brings none. */
   readonly setup?: Settings;
+  /** What the microphone did to it. */
+  readonly processing?: readonly Processing[];
 }
 
+/** What the microphone does to the sound that is recorded, or did to that in the workspace. */
+export const processing = signal<readonly Processing[]>([]);
+
 /** Puts something in the workspace; what lay there is gone from the page, not from the database. */
-export function put(name: string, recording: Recording, { storedAs, setup }: Origin = {}): void {
+export function put(
+  name: string,
+  recording: Recording,
+  { storedAs, setup, ...from }: Origin = {},
+): void {
   const { sound, dropChannel } = recording;
   stop();
   batch(() => {
     startFrom(setup ?? null);
+    processing.value = from.processing ?? [];
     workspace.value = {
       name,
       recording,

@@ -1,5 +1,5 @@
 import { afterEach, beforeAll, expect, test, vi } from 'vitest';
-import { preferred, speak, text } from './language.ts';
+import { preferred, region, speak, text } from './language.ts';
 
 // Whether every language has every message is tested together with the messages of the program.
 
@@ -36,6 +36,18 @@ test.each([
 ])('a browser in %s is spoken to in %s', (wanted, code) => {
   vi.stubGlobal('navigator', { languages: wanted });
   expect(preferred()).toBe(code);
+});
+
+test.each([
+  [['C'], 'en'],
+  [['en_US.UTF-8', 'en-GB'], 'en-GB'],
+  [['enm', 'en-US'], 'en-US'],
+])('a browser in %s has dates of %s', async (languages, found) => {
+  vi.stubGlobal('navigator', { languages });
+  await speak('de');
+  await speak('en');
+  expect(region.value).toBe(found);
+  expect(() => new Date(0).toLocaleString(region.value)).not.toThrow();
 });
 
 test('a message that does not exist is its id', () => {

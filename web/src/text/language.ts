@@ -33,16 +33,31 @@ export const languages: readonly string[] = [FALLBACK, ...new Set(Object.keys(fi
 
 export const language = signal(FALLBACK);
 /** For dates: the region of the reader, where the browser names one of this language. */
-export const region = computed(
-  () => navigator.languages.find((tag) => tag.startsWith(language.value)) ?? language.value,
-);
+export const region = computed(() => {
+  const isOfLanguage = (tag: string) => isTag(tag) && tag.split('-')[0] === language.value;
+  return navigator.languages.find(isOfLanguage) ?? language.value;
+});
 const bundle = signal(bundleOf(FALLBACK, english));
 /** In which language the engine writes reports and figures. */
 export const messages = signal<Messages>(ENGLISH);
 
-/** The name of a language in that language. */
+/** A browser may name what is no language, such as "C" or "en_US.UTF-8", which Intl throws on. */
+function isTag(tag: string): boolean {
+  try {
+    return Intl.getCanonicalLocales(tag).length === 1;
+  } catch {
+    return false;
+  }
+}
+
+/** The name of a language in that language; a browser whose own language is unknown may know none. */
 export function nameOf(code: string): string {
-  const name = new Intl.DisplayNames([code], { type: 'language' }).of(code) ?? code;
+  let name = code;
+  try {
+    name = new Intl.DisplayNames([code], { type: 'language' }).of(code) ?? code;
+  } catch {
+    // Its code says which it is.
+  }
   return name.charAt(0).toLocaleUpperCase(code) + name.slice(1);
 }
 

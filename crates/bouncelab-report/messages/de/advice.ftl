@@ -13,7 +13,7 @@ terminal-advice-too-many-channels = Die Option ist --channel.
 advice-balls = „bouncelab balls“ zeigt sie mit weiteren Wörtern, Masse, Durchmesser und Quelle.
 advice-allow-implausible = Berichtige es, oder bestehe darauf mit --allow-implausible
 
-page-advice-impact-gains-energy = Entferne ihn, wenn er im Schallbild falsch aussieht.
-page-advice-contact-overlaps = Entferne ihn im Schallbild oder in der Liste der Aufpralle.
+page-advice-impact-gains-energy = Entferne ihn, wenn er in der Wellenform falsch aussieht.
+page-advice-contact-overlaps = Entferne ihn in der Wellenform oder in der Liste der Aufpralle.
 page-advice-restitution-rises = Wähle ihn in der Reihe „Welcher Ball?“.
 page-advice-other-ball-fits-better = { page-advice-restitution-rises }

@@ -146,7 +146,7 @@ figure-models-interval = Fallhöhe, 68 %
 figure-models-probability = Wahrscheinlichkeit
 
 figure-posterior-title = Gemeinsame Verteilung nach den Daten
-figure-posterior-tab = Antwort
+figure-posterior-tab = Verteilung
 figure-posterior-caption = Eine runde Wolke: Die Daten unterscheiden die beiden Größen. Eine schräge: Was man der einen zugibt, lässt sich der anderen nehmen. Ein Histogramm so breit wie die graue Kurve: Die Daten sagen nichts Neues.
 figure-posterior-empty = Hier gibt es keine Größen zu zeigen.
 figure-posterior-posterior = nach den Daten: 68 % dunkel, 95 % hell

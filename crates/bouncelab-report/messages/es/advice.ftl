@@ -13,7 +13,7 @@ terminal-advice-too-many-channels = La opción es --channel.
 advice-balls = «bouncelab balls» las muestra con otras palabras, masa, diámetro y fuente.
 advice-allow-implausible = Corrija el valor, o acéptelo con --allow-implausible
 
-page-advice-impact-gains-energy = Elimínelo si parece falso en la forma de onda.
-page-advice-contact-overlaps = Elimínelo en la forma de onda o en la lista de impactos.
-page-advice-restitution-rises = Elíjala en la fila «¿Qué pelota?».
+page-advice-impact-gains-energy = Elimínalo si parece falso en la forma de onda.
+page-advice-contact-overlaps = Elimínalo en la forma de onda o en la lista de impactos.
+page-advice-restitution-rises = Elígela en la fila «¿Qué pelota?».
 page-advice-other-ball-fits-better = { page-advice-restitution-rises }

@@ -146,7 +146,7 @@ figure-models-interval = altura de caída, 68 %
 figure-models-probability = probabilidad
 
 figure-posterior-title = Distribución a posteriori conjunta
-figure-posterior-tab = A posteriori
+figure-posterior-tab = Distribución
 figure-posterior-caption = Una nube redonda: los datos separan las dos magnitudes. Una inclinada: están correlacionadas. Un histograma tan ancho como la curva gris: los datos no añaden información a la distribución a priori.
 figure-posterior-empty = No hay magnitudes que mostrar.
 figure-posterior-posterior = después de los datos: 68 % oscuro, 95 % claro

@@ -11,7 +11,7 @@ page-app-to-light = Claro
 page-app-privacy = Nada sale de este dispositivo: sin cuenta, sin servidor, funciona sin conexión.
 page-app-version = bouncelab { $version }
 page-app-engine-failed = El laboratorio no pudo arrancar.
-page-app-engine-failed-hint = El navegador no cargó o no ejecutó la parte en WebAssembly. Recargue la página; si no sirve, use un Firefox, Chrome, Edge o Safari actual.
+page-app-engine-failed-hint = El navegador no cargó o no ejecutó la parte en WebAssembly. Recarga la página; si no sirve, usa un Firefox, Chrome, Edge o Safari actual.
 page-app-newer = Hay una versión más nueva de esta página.
 page-app-reload = Recargar
 page-app-undo = Deshacer
@@ -24,11 +24,11 @@ page-app-number-wanted = Aquí se espera un número{ $most ->
       }
    *[other] {" "}de { $least } a { $most }
   }.
-page-app-drop-here = Suelte para abrir el archivo
+page-app-drop-here = Suelta para abrir el archivo
 page-app-unreadable-link = Algunos ajustes de la dirección no son válidos y no se tuvieron en cuenta: { $parts }.
 
-page-lab-invite = Deje caer una pelota cerca de su micrófono.
-page-lab-invite-touch = Deje caer una pelota cerca de su teléfono.
+page-lab-invite = Deja caer una pelota cerca de tu micrófono.
+page-lab-invite-touch = Deja caer una pelota cerca de tu teléfono.
 page-lab-listen = Escuchar
 page-lab-stop = Parar
 page-lab-again = Escuchar otra vez
@@ -42,20 +42,20 @@ page-lab-paste-do = Analizar
 page-lab-pasted-name = tiempos pegados
 page-lab-demo-name = ejemplo
 page-lab-recording-name = ensayo { $date }
-page-lab-starting = Solicitando el micrófono …
-page-lab-listening = Escuchando. Deje caer la pelota.
+page-lab-starting = Solicitando el micrófono…
+page-lab-listening = Escuchando. Deja caer la pelota.
 page-lab-hint-quiet = Aún no se ha oído nada fuerte: acerca el micrófono al lugar donde cae la pelota.
 page-lab-hint-no-bounces = Se oyen sonidos, pero ningún rebote: acerca el teléfono al lugar donde cae la pelota, sobre un suelo duro, y deja que rebote hasta que repose.
 page-lab-so-far = { $count ->
     [one] 1 impacto hasta ahora
    *[other] { $count } impactos hasta ahora
   }
-page-lab-so-far-keeps = conserva alrededor de { $share } de su velocidad
+page-lab-so-far-keeps = conserva alrededor del { $share } de su velocidad
 page-lab-ends-itself = La escucha termina cuando la pelota está en reposo.
 page-lab-saved = { $seconds } s están guardados.
 page-lab-result = Resultado
-page-lab-opening = Leyendo { $name } …
-page-lab-cannot-tell = Hay demasiado pocos impactos para determinar el coeficiente de restitución.
+page-lab-opening = Leyendo { $name }…
+page-lab-cannot-tell = Hay muy pocos impactos para determinar el coeficiente de restitución.
 page-lab-impacts = { $count ->
     [one] 1 impacto
    *[other] { $count } impactos
@@ -70,18 +70,22 @@ page-lab-drops-heard = Ensayos de esta grabación
 page-lab-why = Con aire y sin aire
 page-lab-why-air-1 = Una recta por los logaritmos de los tiempos de vuelo (ajuste log-lineal) es la forma clásica de medir el coeficiente de restitución. Pero el aire también frena la pelota, y el ajuste lo atribuye a los impactos.
 page-lab-why-air-2 = Los puntos grises no cuentan el aire; los azules están corregidos por arrastre. Muestran solo la pelota y la superficie.
-page-lab-refining = Calculando la inferencia con aire …
+page-lab-refining = Calculando la inferencia con aire…
 page-lab-more = Todos los números
 page-lab-other-quantities = Otras magnitudes
 page-lab-tells = Lo que esta grabación determina y lo que no
 page-lab-narrowed-lead = Cuánto redujo la grabación la incertidumbre a priori:
-page-lab-narrowed = { $unknown }: queda { $share } de la anchura
+page-lab-narrowed = { $unknown }: queda el { $share } de la anchura
 page-lab-assumed = supuesto
-page-lab-no-drop-title = No se halló ningún ensayo.
-page-lab-no-drop-hint = Ponga el micrófono cerca de donde cae la pelota, sobre una superficie dura, y déjela rebotar hasta el reposo. Si ve los impactos en la forma de onda, márquelos a mano: doble clic, o Intro en el cursor.
-page-lab-no-drop-hint-touch = Pon el teléfono cerca de donde cae la pelota, sobre una superficie dura, y deja que rebote hasta que repose. Si ves los impactos en la forma de onda, márcalos con un doble toque.
+page-lab-no-drop-title = No se detectó ningún rebote.
+page-lab-no-drop-hint = Pon el micrófono cerca de donde cae la pelota, sobre una superficie dura, y déjala rebotar hasta el reposo. Si ves los impactos en la forma de onda, márcalos a mano: doble clic, o Intro en el cursor.
+page-lab-no-drop-hint-touch = Pon el teléfono cerca de donde cae la pelota, sobre una superficie dura, y deja que rebote hasta que repose. Si ves los impactos en la forma de onda, márcalos con un doble toca.
 page-lab-interrupted-title = Se interrumpió una grabación del { $date }.
 page-lab-progress = Progreso
+page-lab-processed = El dispositivo cambia el sonido aunque se le pidió que no: { $what }. Pueden faltar impactos débiles. Ayuda otro navegador o un micrófono externo.
+page-lab-processed-echoCancellation = cancelación de eco
+page-lab-processed-noiseSuppression = supresión de ruido
+page-lab-processed-autoGainControl = ganancia automática
 page-lab-unkept-title = La grabación del { $date } no está en la tabla de ensayos.
 page-lab-interrupted-hint = Está guardada, salvo quizá el último segundo o los dos últimos.
 page-lab-interrupted-open = Abrir
@@ -99,73 +103,73 @@ page-words-height = La altura de caída se calcula a partir de los tiempos entre
 page-words-uncertainty = ± es la incertidumbre típica: el valor verdadero está dentro con una probabilidad de unos dos tercios, y dentro del doble con el 95 %.
 
 page-faults-refused-what = El navegador no puede usar el micrófono.
-page-faults-refused-do = Permítalo en la barra de direcciones (candado o micrófono) y toque «Escuchar» otra vez. En un teléfono, mire también los ajustes de la aplicación del navegador. En su lugar puede abrir una grabación.
+page-faults-refused-do = Permítelo en la barra de direcciones (candado o micrófono) y toca «Escuchar» otra vez. En un teléfono, mira también los ajustes de la aplicación del navegador. En su lugar puedes abrir una grabación.
 
 page-faults-missing-what = No se encontró ningún micrófono.
-page-faults-missing-do = Conecte uno y toque «Escuchar» otra vez, o grabe con otro dispositivo y abra el archivo aquí.
+page-faults-missing-do = Conecta uno y toca «Escuchar» otra vez, o graba con otro dispositivo y abre el archivo aquí.
 
 page-faults-busy-what = Otro programa está usando el micrófono.
-page-faults-busy-do = Cierre llamadas y grabadoras, y toque «Escuchar» otra vez.
+page-faults-busy-do = Cierra llamadas y grabadoras, y toca «Escuchar» otra vez.
 
 page-faults-insecure-what = Los navegadores dan el micrófono solo a páginas con https, o de este mismo ordenador.
-page-faults-insecure-do = Abra esta página con https o por localhost. Las grabaciones se pueden abrir así.
+page-faults-insecure-do = Abre esta página con https o por localhost. Las grabaciones se pueden abrir así.
 
 page-faults-unsupported-what = Este navegador no da sonido sin procesar.
-page-faults-unsupported-do = Use un Firefox, Chrome, Edge o Safari actual, o abra una grabación.
+page-faults-unsupported-do = Usa un Firefox, Chrome, Edge o Safari actual, o abre una grabación.
 
 page-faults-ended-what = El micrófono se desconectó: desenchufado, o usado por una llamada.
 page-faults-ended-do = El sonido grabado hasta entonces se guardó y se analizó.
 
 page-faults-unknown-what = No se pudo abrir el micrófono.
-page-faults-unknown-do = Desenchúfelo y vuelva a enchufarlo, o reinicie el navegador. En su lugar puede abrir una grabación.
+page-faults-unknown-do = Desenchúfalo y vuelve a enchufarlo, o reinicia el navegador. En su lugar puedes abrir una grabación.
 
 page-faults-silent-what = El micrófono solo da silencio.
 page-faults-silent-do = Quizá está silenciado con un interruptor o en los ajustes del sistema.
 
 page-faults-full-what = El almacenamiento del navegador está lleno.
-page-faults-full-do = El sonido está completo en memoria: guárdelo ahora como WAV. Después elimine los ensayos que no necesite.
+page-faults-full-do = El sonido está completo en memoria: guárdalo ahora como WAV. Después elimina los ensayos que no necesites.
 
 page-faults-unavailable-what = El navegador no guarda nada aquí (¿una ventana privada?).
-page-faults-unavailable-do = El sonido está completo en memoria hasta que se cierre esta página: guárdelo como WAV.
+page-faults-unavailable-do = El sonido está completo en memoria hasta que se cierre esta página: guárdalo como WAV.
 
 page-faults-empty-what = El archivo está vacío.
-page-faults-empty-do = No se escribió nada en él. ¿Se paró la grabación antes de empezar? Grabe otra vez o elija otro archivo.
+page-faults-empty-do = No se escribió nada en él. ¿Se paró la grabación antes de empezar? Graba otra vez o elige otro archivo.
 
 page-faults-unsupported-file-what = Esto no es ni una grabación ni una lista de tiempos.
 page-faults-unsupported-file-do = Sonidos: { $formats }. Listas: un tiempo en segundos por línea.
 
 page-faults-damaged-what = El archivo está dañado.
-page-faults-damaged-do = Cópielo o descárguelo otra vez. Un archivo que un teléfono aún está escribiendo no se puede leer todavía.
+page-faults-damaged-do = Cópialo o descárgalo otra vez. Un archivo que un teléfono aún está escribiendo no se puede leer todavía.
 
 page-faults-times-what = Estos tiempos no pueden ser tiempos de impacto.
-page-faults-times-do = Dé un tiempo en segundos por línea, en orden creciente, con coma o punto decimal.
+page-faults-times-do = Da un tiempo en segundos por línea, en orden creciente, con coma o punto decimal.
 
 page-faults-huge-what = El archivo es demasiado grande para un navegador.
-page-faults-huge-do = Hasta 500 MB, y unos cuarenta minutos de sonido. Córtelo a los minutos del ensayo, o use la línea de órdenes: bouncelab analyze.
+page-faults-huge-do = Hasta 500 MB, y unos cuarenta minutos de sonido. Córtalo a los minutos del ensayo, o usa la línea de comandos: bouncelab analyze.
 
 page-faults-setting-what = Un ajuste contradice a los demás.
-page-faults-setting-do = Vea abajo, en los ajustes.
+page-faults-setting-do = Mira abajo, en los ajustes.
 
 page-faults-fault-what = El análisis falló.
-page-faults-fault-do = Lo grabado está guardado. Recargue la página y ábralo otra vez; ayuda comunicarlo al proyecto.
+page-faults-fault-do = Lo grabado está guardado. Recarga la página y ábrelo otra vez; ayuda comunicarlo al proyecto.
 
 page-faults-link-what = Este enlace de un ensayo no se puede usar.
-page-faults-link-do = Copie el enlace entero, o lea el código otra vez.
+page-faults-link-do = Copia el enlace entero, o lee el código otra vez.
 
 page-faults-no-drop-what = No se halló en él ninguna pelota que rebote.
-page-faults-no-drop-do = Ábralo en el laboratorio: allí puede escucharlo y marcar impactos.
+page-faults-no-drop-do = Ábrelo en el laboratorio: allí puedes escucharlo y marcar impactos.
 
 page-faults-archive-what = Esto no es un archivo completo de ensayos guardados.
-page-faults-archive-do = Cópielo o descárguelo otra vez, y añada ese. Lo guardado aquí no ha cambiado.
+page-faults-archive-do = Cópialo o descárgalo otra vez, y añade ese. Lo guardado aquí no ha cambiado.
 
 page-faults-archive-newer-what = Una versión más nueva de esta página guardó este archivo.
-page-faults-archive-newer-do = Recargue la página y añada el archivo otra vez. Lo guardado aquí no ha cambiado.
+page-faults-archive-newer-do = Recarga la página y añade el archivo otra vez. Lo guardado aquí no ha cambiado.
 
 page-faults-archive-storage-what = No se pudo guardar todo el archivo.
-page-faults-archive-storage-do = El almacenamiento del navegador está lleno o no está disponible. Elimine los ensayos que no necesite y añada el archivo otra vez; lo guardado antes no ha cambiado.
+page-faults-archive-storage-do = El almacenamiento del navegador está lleno o no está disponible. Elimina los ensayos que no necesites y añade el archivo otra vez; lo guardado antes no ha cambiado.
 
 page-faults-keep-what = No se pudo guardar el ensayo.
-page-faults-keep-do = El almacenamiento del navegador está lleno o no está disponible. Guarde el sonido y los números como archivos.
+page-faults-keep-do = El almacenamiento del navegador está lleno o no está disponible. Guarda el sonido y los números como archivos.
 
 page-wave-title = Forma de onda
 page-wave-label = Forma de onda, posición del cursor
@@ -186,7 +190,7 @@ page-wave-speed = Velocidad
 page-wave-slower = { $speed } ×
 page-wave-spectrogram = Espectrograma
 page-wave-spectrogram-label = Espectrograma: tiempo hacia la derecha, frecuencia hacia arriba, más fuerte es más oscuro
-page-wave-overview = Toda la grabación; arrastre para moverse
+page-wave-overview = Toda la grabación; arrastra para moverte
 page-wave-restore = Como se detectó
 page-wave-list = Lista de impactos
 page-wave-number = N.º
@@ -204,7 +208,7 @@ page-wave-moved = Impacto { $number } movido a { $seconds } s.
 page-wave-undone = Deshecho.
 page-wave-redone = Rehecho.
 page-wave-keys = Las flechas mueven el cursor, con Mayús en pasos pequeños; Re Pág y Av Pág van de impacto en impacto; más y menos amplían y reducen, 0 muestra todo; Intro añade un impacto, Supr elimina el elegido, la coma y el punto lo mueven, S lo ajusta al sonido; la barra espaciadora reproduce; Ctrl+Z deshace.
-page-wave-pointer = Arrastre para moverse, pellizque o gire la rueda para ampliar (haga clic antes), toque un impacto para elegirlo, arrástrelo para moverlo, toque dos veces para añadir uno.
+page-wave-pointer = Arrastra para moverte, pellizca o gira la rueda para ampliar (haz clic antes), toca un impacto para elegirlo, arrástralo para moverlo, toca dos veces para añadir uno.
 page-wave-times = Solo hay tiempos: no hay sonido que mostrar.
 
 page-figures-title = Figuras
@@ -212,7 +216,7 @@ page-figures-more = Más figuras
 page-figures-fewer = Menos figuras
 page-curve-label = Altura de la pelota en función del tiempo; el primer salto detectado sube hasta { $height }
 page-figures-against = { $y } frente a { $x }
-page-figures-reset = Arrastre de lado para ampliar, doble clic para ver todo.
+page-figures-reset = Arrastra de lado para ampliar, doble clic para ver todo.
 page-figures-numbers = Lo mismo en números
 page-figures-save-svg = SVG
 page-figures-save-png = PNG
@@ -267,21 +271,23 @@ page-keep-kept = Guardado como «{ $name }».
 page-keep-name = Nombre
 page-keep-name-hint = por ejemplo: Anna, primer ensayo
 page-keep-see-all = Tabla de ensayos
-page-keep-lasting = El navegador guarda lo que hay aquí hasta que usted lo elimine.
-page-keep-not-lasting = Si falta espacio, el navegador puede eliminar lo guardado aquí: guarde una copia como archivo.
+page-keep-lasting = El navegador guarda lo que hay aquí hasta que lo elimines.
+page-keep-not-lasting = Si falta espacio, el navegador puede eliminar lo guardado aquí: guarda una copia como archivo.
+page-keep-for-a-week = Este navegador borra lo que guarda una página tras siete días sin visitas, salvo que la página esté en la pantalla de inicio (Compartir, «Añadir a pantalla de inicio»): guarda una copia como archivo.
+page-keep-commas = tablas con punto y coma y coma decimal
 page-keep-wav = Sonido (WAV)
 page-keep-csv = Tabla (CSV)
 page-keep-json = Todos los datos (JSON)
 page-keep-share = Compartir estos ajustes
 page-keep-shared = Se copió la dirección con estos ajustes.
-page-keep-share-by-hand = Copie esta dirección:
+page-keep-share-by-hand = Copia esta dirección:
 page-keep-report = Informe (HTML)
 page-keep-link = Compartir este ensayo
-page-keep-link-by-hand = Abra esta dirección en otra parte, o apunte al código con un teléfono; muestra este ensayo, sin su sonido:
+page-keep-link-by-hand = Abre esta dirección en otra parte, o apunta al código con un teléfono; muestra este ensayo, sin su sonido:
 page-keep-link-qr = Código QR de la dirección de este ensayo
 
 page-simulate-title = Simular un ensayo
-page-simulate-lead = Mueva un control y vea qué cambia; guarde una simulación para compararla con la siguiente.
+page-simulate-lead = Mueve un control y mira qué cambia; guarda una simulación para compararla con la siguiente.
 page-simulate-height = Altura de caída
 page-simulate-restitution = Restitución (a 1 m/s)
 page-simulate-slope = Decrece con la velocidad en
@@ -320,7 +326,7 @@ page-simulate-address = La dirección contiene los ajustes: compártala, y otros
 
 page-paper-title = El artículo
 page-paper-source = M. Nagurka, «Aerodynamic Effects in a Dropped Ping-Pong Ball Experiment»
-page-paper-lead = Deje caer una pelota de tenis de mesa y escuche. Los tiempos entre los impactos dan su restitución y su altura de caída, pero la altura sale un 12 % demasiado baja. Esta página explica por qué, y calcula cada número y cada figura mientras lee.
+page-paper-lead = Deja caer una pelota de tenis de mesa y escucha. Los tiempos entre los impactos dan su restitución y su altura de caída, pero la altura sale un 12 % demasiado baja. Esta página explica por qué, y calcula cada número y cada figura mientras lees.
 
 page-paper-one-title = 1. De los tiempos a las alturas
 page-paper-one-text-1 = Entre dos impactos, la pelota sube y baja durante un tiempo T. Sin aire, deja la superficie con la velocidad gT/2 y sube hasta gT²/8. Basta un reloj.
@@ -339,7 +345,7 @@ page-paper-three-see = Arrastre entre peso frente a la velocidad, según las dos
 page-paper-three-see-height = El ensayo entero con e = 0,935, con aire y sin él: con un arrastre del seis por ciento del peso, la pelota llega al reposo segundos antes.
 
 page-paper-four-title = 4. ¿Explica el arrastre la discrepancia?
-page-paper-four-text = Simule ensayos con aire, aplique el mismo ajuste log-lineal, y compare con el artículo. Elija la restitución de la pelota y el número de vuelos del ajuste.
+page-paper-four-text = Simula ensayos con aire, aplica el mismo ajuste log-lineal, y compara con el artículo. Elige la restitución de la pelota y el número de vuelos del ajuste.
 page-paper-four-e = Restitución verdadera de la pelota, a 1 m/s
 page-paper-four-slope = Decrece con la velocidad en
 page-paper-four-flights = Vuelos en el ajuste
@@ -386,7 +392,7 @@ page-paper-air-names-constant = C_D = 0,4
 page-paper-air-names-sphere = C_D(Re)
 page-paper-air-names-all-of-air = C_D(Re), empuje, masa añadida
 
-page-paper-try-it = Ahora deje caer usted una pelota
+page-paper-try-it = Ahora deja caer tú una pelota
 
 page-drops-title = Tabla de ensayos
 page-drops-empty = Aún no hay ensayos guardados. Después de un ensayo, «Guardar este ensayo» lo pone aquí, solo en este navegador.
@@ -412,12 +418,12 @@ page-drops-of-drops = { $count ->
     [one] de 1 ensayo
    *[other] de { $count } ensayos
   }
-page-drops-scatter-sentence = En promedio, la pelota conservó { $mean } de su velocidad. La desviación típica entre ensayos fue { $scatter }; cada ensayo por separado indica ± { $inside }.
+page-drops-scatter-sentence = En promedio, la pelota conservó el { $mean } de su velocidad. La desviación típica entre ensayos fue { $scatter }; cada ensayo por separado indica ± { $inside }.
 page-drops-csv = Guardar la tabla (CSV)
 page-drops-json = Guardar todo (JSON)
 page-drops-archive = Guardar todo con sonido (ZIP)
-page-drops-archiving = Reuniendo los sonidos …
-page-drops-adding = Leyendo { $name } …
+page-drops-archiving = Reuniendo los sonidos…
+page-drops-adding = Leyendo { $name }…
 page-drops-added = { $count ->
     [0] No contiene nada nuevo.
     [one] Se añadió 1 ensayo.
@@ -428,7 +434,7 @@ page-drops-deleted-all = { $count ->
     [one] Se eliminó 1 ensayo.
    *[other] Se eliminaron { $count } ensayos.
   }
-page-drops-links = Enlaces de ensayos de otras personas, tantos como quiera
+page-drops-links = Enlaces de ensayos de otras personas, tantos como quieras
 page-drops-links-do = Añadir a esta tabla
 page-drops-unavailable = El navegador no guarda nada aquí (¿una ventana privada?).
 
@@ -437,9 +443,9 @@ page-class-surface = Superficie
 page-class-student = Alumno
 page-class-ball-of = Pelota de { $name }
 page-class-surface-of = Superficie de { $name }
-page-class-student-of = Alumno de { $name }
+page-class-student-of = Alumno: { $name }
 page-class-add = Añadir ensayos
-page-class-add-hint = Archivos de cualquier tipo que esta página guarda o abre, tantos como quiera, también como ZIP; y enlaces. Lo dañado se nombra, el resto se añade.
+page-class-add-hint = Archivos de cualquier tipo que esta página guarda o abre, tantos como quieras, también como ZIP; y enlaces. Lo dañado se nombra, el resto se añade.
 page-class-files = Elegir archivos
 page-class-files-label = Archivos con ensayos
 page-class-known = { $count ->
@@ -474,39 +480,39 @@ page-reason-malformed = { $stage ->
    *[sound] No se puede decodificar nada de su sonido
   } ({ $format }: { $detail }).
 page-reason-no-audio-track = Este archivo { $format } no tiene sonido, o ninguno de tipo conocido. ¿Estaba apagado el micrófono?
-page-reason-unsupported-codec = El sonido de este archivo { $format } no se puede decodificar: { $codec }. Expórtelo como WAV o M4A.
+page-reason-unsupported-codec = El sonido de este archivo { $format } no se puede decodificar: { $codec }. Expórtalo como WAV o M4A.
 page-reason-layout-too-slow = { $sample_rate_hz } muestras por segundo son demasiado pocas para situar un impacto en el tiempo: se necesitan al menos { $min_hz }.
 page-reason-layout-too-fast = Su cabecera indica { $sample_rate_hz } muestras por segundo; se leen como mucho { $max_hz }.
 page-reason-layout-too-many-channels = Tiene { $channels } canales; se leen como mucho { $max }.
-page-reason-lasts-too-long = Dura más de { $max_h } horas, que es lo máximo que se lee. Córtelo en partes.
+page-reason-lasts-too-long = Dura más de { $max_h } horas, que es lo máximo que se lee. Córtalo en partes.
 page-reason-times-line = Línea { $line }: { $problem }
 page-reason-times-ending = El nombre de una lista termina en .txt, .csv, .tsv, .xls, .xlsx, .ods, .zip, .json, .TextGrid o .svl.
-page-reason-times-not-text = No es texto. Guarde la lista como texto, CSV u hoja de cálculo.
+page-reason-times-not-text = No es texto. Guarda la lista como texto, CSV u hoja de cálculo.
 page-reason-times-not-table = No es una tabla ({ $detail }).
-page-reason-times-not-file = Es un dispositivo o una tubería; guarde la lista en un archivo.
-page-reason-times-too-long = Son más de { $max_mb } MB de texto; guarde el sonido como WAV.
+page-reason-times-not-file = Es un dispositivo o una tubería; guarda la lista en un archivo.
+page-reason-times-too-long = Son más de { $max_mb } MB de texto; guarda el sonido como WAV.
 page-reason-times-not-sample = «{ $text }» no es un número; bajo sus títulos, una forma de onda muestreada solo tiene números.
 page-reason-times-fewer-columns = { $found } de { $columns } números: cada línea de una forma de onda muestreada tiene uno para el tiempo y uno por canal.
 page-reason-times-uneven = Está { $interval_s } s después de la línea anterior, pero en promedio las separan { $mean_s } s; los tiempos de una forma de onda muestreada son equidistantes.
-page-reason-times-sampled = Es una tabla de { $rows } muestras, { $rate_hz } por segundo, y no una lista de tiempos de impacto; el sonido necesita al menos { $min_hz } por segundo. Indique los tiempos de los impactos.
-page-reason-times-positions = Son posiciones en el tiempo ({ $found }) y no tiempos de impacto. Abra la grabación o indique los tiempos de los impactos.
+page-reason-times-sampled = Es una tabla de { $rows } muestras, { $rate_hz } por segundo, y no una lista de tiempos de impacto; el sonido necesita al menos { $min_hz } por segundo. Indica los tiempos de los impactos.
+page-reason-times-positions = Son posiciones en el tiempo ({ $found }) y no tiempos de impacto. Abre la grabación o indica los tiempos de los impactos.
 page-reason-times-several-drops = Hay varias columnas de tiempos ({ $found }) y { $rows } filas. Una lista tiene un solo ensayo: una columna de tiempos o una fila de paradas.
-page-reason-times-no-order = { $number } sigue a { $before }. Los números sin título son tiempos de impacto, que crecen, o intervalos, que decrecen. Escriba time_s o interval_s encima; las muestras necesitan una columna de tiempos.
+page-reason-times-no-order = { $number } sigue a { $before }. Los números sin título son tiempos de impacto, que crecen, o intervalos, que decrecen. Escribe time_s o interval_s encima; las muestras necesitan una columna de tiempos.
 page-reason-times-not-interval = { $text } no es un intervalo de un impacto al siguiente, que es mayor que 0 s.
 page-reason-times-not-layer = No es una capa de Sonic Visualiser con puntos. Expórtela otra vez (File > Export Annotation Layer).
-page-reason-times-no-list = Ninguna de las tablas es una lista de tiempos de impacto: { $found }. Abra una grabación sola, y las de una clase como archivos o carpeta.
+page-reason-times-no-list = Ninguna de las tablas es una lista de tiempos de impacto: { $found }. Abre una grabación sola, y las de una clase como archivos o carpeta.
 page-reason-times-tables-disagree = Las tablas { $first } y { $second } tienen tiempos distintos. Quédese con una.
-page-reason-times-of-recordings = Es una tabla sobre grabaciones, y no una lista de tiempos de impacto. Abra las grabaciones.
+page-reason-times-of-recordings = Es una tabla sobre grabaciones, y no una lista de tiempos de impacto. Abre las grabaciones.
 page-reason-times-not-array = Se esperaba una lista de números, como [0.1, 0.45] ({ $detail }).
 page-reason-times-not-text-grid = No es un TextGrid de Praat, o no está entero. Guárdelo otra vez desde Praat.
-page-reason-times-no-point-tier = Ninguna capa tiene puntos, solo intervalos: { $found }. Añada en Praat una capa con un punto en cada impacto (Tier > Add point tier…).
+page-reason-times-no-point-tier = Ninguna capa tiene puntos, solo intervalos: { $found }. Añade en Praat una capa con un punto en cada impacto (Tier > Add point tier…).
 page-reason-times-which-point-tier = Varias capas tienen puntos: { $found }. Llame en Praat «impacts» a la de los impactos.
 page-reason-times-no-time-column = Ningún título tiene una palabra para tiempo o impacto con una unidad, como time_s, Tiempo (s) o interval_s. Hay: { $found }.
-page-reason-times-nameless-columns = Hay { $columns } columnas. Dé nombre a la de los tiempos en una primera línea: time_s.
-page-reason-times-more-columns = Tiene { $found } columnas, pero la primera línea tiene { $columns }. Si la coma es decimal, separe las columnas con punto y coma.
+page-reason-times-nameless-columns = Hay { $columns } columnas. Da nombre a la de los tiempos en una primera línea: time_s.
+page-reason-times-more-columns = Tiene { $found } columnas, pero la primera línea tiene { $columns }. Si la coma es decimal, separa las columnas con punto y coma.
 page-reason-times-missing = Falta el tiempo.
 page-reason-times-not-number = «{ $text }» no es un tiempo en segundos, como 0.125.
-page-reason-times-not-later = { $time_s } no viene después de { $before_s }. Ponga los impactos en orden.
+page-reason-times-not-later = { $time_s } no viene después de { $before_s }. Pon los impactos en orden.
 page-reason-too-large = Tiene { $megabytes } MB.
 page-reason-too-long = Tiene más de { $minutes } minutos en { $channels ->
     [one] 1 canal
@@ -516,6 +522,6 @@ page-reason-no-memory = Este dispositivo no tiene memoria suficiente para él.
 page-reason-breaks-decoder = Está dañado, y su decodificador falla con él.
 page-reason-unreadable = El navegador no puede leerlo. ¿Se movió o se eliminó?
 page-reason-link-changed = Fue modificado o está incompleto.
-page-reason-link-other-version = Lo hizo otra versión de esta página; recargue la página.
+page-reason-link-other-version = Lo hizo otra versión de esta página; recarga la página.
 page-reason-link-times = Un enlace contiene de 2 a 1000 impactos.
 page-reason-link-too-long = El ensayo tiene demasiados impactos para un código QR.

@@ -13,7 +13,7 @@ terminal-advice-too-many-channels = L’option est --channel.
 advice-balls = « bouncelab balls » les montre avec d’autres mots, masse, diamètre et source.
 advice-allow-implausible = Corrigez la valeur, ou acceptez-la avec --allow-implausible
 
-page-advice-impact-gains-energy = Supprimez-le s’il paraît faux dans la forme d’onde.
-page-advice-contact-overlaps = Supprimez-le dans la forme d’onde ou dans la liste des impacts.
-page-advice-restitution-rises = Choisissez-la dans la rangée « Quelle balle ? ».
+page-advice-impact-gains-energy = Supprime-le s’il paraît faux dans la forme d’onde.
+page-advice-contact-overlaps = Supprime-le dans la forme d’onde ou dans la liste des impacts.
+page-advice-restitution-rises = Choisis-la dans la rangée « Quelle balle ? ».
 page-advice-other-ball-fits-better = { page-advice-restitution-rises }

@@ -146,7 +146,7 @@ figure-models-interval = hauteur de chute, 68 %
 figure-models-probability = probabilité
 
 figure-posterior-title = Loi a posteriori conjointe
-figure-posterior-tab = A posteriori
+figure-posterior-tab = Loi a posteriori
 figure-posterior-caption = Un nuage rond : les données séparent les deux grandeurs. Un nuage incliné : elles sont corrélées. Un histogramme aussi large que la courbe grise : les données n’ajoutent rien à l’a priori.
 figure-posterior-empty = Il n’y a pas de grandeur à montrer.
 figure-posterior-posterior = après les données : 68 % foncé, 95 % clair
@@ -179,7 +179,7 @@ figure-run-outlier = valeur aberrante
 figure-run-unchanged = si rien ne change
 
 figure-truncation-title = Le résultat dépend-il du nombre de vols utilisés ?
-figure-truncation-tab = Troncature
+figure-truncation-tab = Nombre de vols
 figure-truncation-caption = Un modèle correct donne le même résultat pour tout nombre de vols ; celui de l’ajustement log-linéaire change, parce qu’il néglige l’air.
 figure-truncation-empty = Il n’y a pas de résultat à comparer.
 figure-truncation-flights = vols utilisés

@@ -11,7 +11,7 @@ page-app-to-light = Clair
 page-app-privacy = Rien ne quitte cet appareil : ni compte, ni serveur ; fonctionne hors ligne.
 page-app-version = bouncelab { $version }
 page-app-engine-failed = Le laboratoire n’a pas pu démarrer.
-page-app-engine-failed-hint = Le navigateur n’a pas chargé ou exécuté la partie WebAssembly. Rechargez la page ; si cela n’aide pas, utilisez un Firefox, Chrome, Edge ou Safari récent.
+page-app-engine-failed-hint = Le navigateur n’a pas chargé ou exécuté la partie WebAssembly. Recharge la page ; si cela n’aide pas, utilise un Firefox, Chrome, Edge ou Safari récent.
 page-app-newer = Une version plus récente de cette page est prête.
 page-app-reload = Recharger
 page-app-undo = Annuler
@@ -24,25 +24,25 @@ page-app-number-wanted = Un nombre{ $most ->
       }
    *[other] {" "}de { $least } à { $most }
   } est attendu ici.
-page-app-drop-here = Relâchez pour ouvrir le fichier
+page-app-drop-here = Relâche pour ouvrir le fichier
 page-app-unreadable-link = Certains réglages de l’adresse ne sont pas valables et ont été ignorés : { $parts }.
 
-page-lab-invite = Faites tomber une balle près de votre microphone.
-page-lab-invite-touch = Faites tomber une balle près de votre téléphone.
+page-lab-invite = Faites tomber une balle près de ton microphone.
+page-lab-invite-touch = Faites tomber une balle près de ton téléphone.
 page-lab-listen = Écouter
 page-lab-stop = Arrêter
 page-lab-again = Écouter encore
 page-lab-open = ouvrir un fichier
-page-lab-paste = coller des temps
+page-lab-paste = coller des instants
 page-lab-demo = voir un exemple
 page-lab-open-label = Enregistrement ou liste de temps d’impact
 page-lab-paste-label = Temps d’impact en secondes, un par ligne
-page-lab-paste-hint = D’un tableur ou d’un oscilloscope. Les vols sont entre les impacts.
+page-lab-paste-hint = D’un tableur ou d’un oscilloscope. Un vol va d’un impact au suivant.
 page-lab-paste-do = Analyser
 page-lab-pasted-name = temps collés
 page-lab-demo-name = exemple
 page-lab-recording-name = essai { $date }
-page-lab-starting = Demande d’accès au microphone …
+page-lab-starting = Demande d’accès au microphone…
 page-lab-listening = À l’écoute. Faites tomber la balle.
 page-lab-hint-quiet = Rien de fort n’a encore été entendu : rapproche le microphone de l’endroit où la balle tombe.
 page-lab-hint-no-bounces = On entend des sons, mais pas de rebonds : rapproche le téléphone de l’endroit où la balle tombe, sur un sol dur, et laisse-la rebondir jusqu’à ce qu’elle repose.
@@ -54,7 +54,7 @@ page-lab-so-far-keeps = elle garde environ { $share } de sa vitesse
 page-lab-ends-itself = L’écoute se termine quand la balle est au repos.
 page-lab-saved = { $seconds } s sont enregistrées.
 page-lab-result = Résultat
-page-lab-opening = Lecture de { $name } …
+page-lab-opening = Lecture de { $name }…
 page-lab-cannot-tell = Il y a trop peu d’impacts pour déterminer le coefficient de restitution.
 page-lab-impacts = { $count ->
     [one] { $count } impact
@@ -70,18 +70,22 @@ page-lab-drops-heard = Essais de cet enregistrement
 page-lab-why = Avec et sans air
 page-lab-why-air-1 = Une droite à travers les logarithmes des temps de vol (ajustement log-linéaire) est la manière classique de mesurer le coefficient de restitution. Mais l’air aussi ralentit la balle, et l’ajustement attribue cela aux impacts.
 page-lab-why-air-2 = Les points gris négligent l’air ; les bleus sont corrigés de la traînée. Ils montrent la balle et la surface seules.
-page-lab-refining = Calcul de l’inférence avec air …
+page-lab-refining = Calcul de l’inférence avec air…
 page-lab-more = Tous les nombres
 page-lab-other-quantities = Autres grandeurs
 page-lab-tells = Ce que cet enregistrement détermine, ou non
 page-lab-narrowed-lead = À quel point l’enregistrement a réduit l’incertitude a priori :
 page-lab-narrowed = { $unknown } : il reste { $share } de la largeur
 page-lab-assumed = supposé
-page-lab-no-drop-title = Aucun essai trouvé.
-page-lab-no-drop-hint = Placez le microphone près du point de chute, sur une surface dure, et laissez la balle rebondir jusqu’au repos. Si vous voyez les impacts dans la forme d’onde, marquez-les à la main : double clic, ou Entrée au curseur.
+page-lab-no-drop-title = Aucun rebond détecté.
+page-lab-no-drop-hint = Place le microphone près du point de chute, sur une surface dure, et laisse la balle rebondir jusqu’au repos. Si tu vois les impacts dans la forme d’onde, marque-les à la main : double clic, ou Entrée au curseur.
 page-lab-no-drop-hint-touch = Pose le téléphone près de l’endroit où la balle tombe, sur une surface dure, et laisse-la rebondir jusqu’à ce qu’elle repose. Si tu vois les impacts dans la forme d’onde, marque-les d’un double toucher.
 page-lab-interrupted-title = Un enregistrement du { $date } a été interrompu.
 page-lab-progress = Progression
+page-lab-processed = L’appareil modifie le son alors qu’on lui a demandé de ne pas le faire : { $what }. Des impacts faibles peuvent manquer. Un autre navigateur ou un microphone externe aide.
+page-lab-processed-echoCancellation = annulation d’écho
+page-lab-processed-noiseSuppression = suppression du bruit
+page-lab-processed-autoGainControl = gain automatique
 page-lab-unkept-title = L’enregistrement du { $date } n’est pas dans le tableau des essais.
 page-lab-interrupted-hint = Il est conservé, sauf peut-être la dernière seconde ou les deux dernières.
 page-lab-interrupted-open = Ouvrir
@@ -99,73 +103,73 @@ page-words-height = La hauteur de chute est calculée à partir des durées entr
 page-words-uncertainty = ± est l’incertitude-type : la vraie valeur s’y trouve avec une probabilité d’environ deux tiers, et dans le double avec 95 %.
 
 page-faults-refused-what = Le navigateur n’a pas le droit d’utiliser le microphone.
-page-faults-refused-do = Autorisez-le dans la barre d’adresse (cadenas ou microphone) et touchez « Écouter » à nouveau. Sur un téléphone, voyez aussi les réglages de l’application du navigateur. Vous pouvez ouvrir un enregistrement à la place.
+page-faults-refused-do = Autorise-le dans la barre d’adresse (cadenas ou microphone) et touche « Écouter » à nouveau. Sur un téléphone, vois aussi les réglages de l’application du navigateur. Tu peux ouvrir un enregistrement à la place.
 
 page-faults-missing-what = Aucun microphone n’a été trouvé.
-page-faults-missing-do = Branchez-en un et touchez « Écouter » à nouveau, ou enregistrez avec un autre appareil et ouvrez le fichier ici.
+page-faults-missing-do = Branche-en un et touche « Écouter » à nouveau, ou enregistre avec un autre appareil et ouvre le fichier ici.
 
 page-faults-busy-what = Le microphone est utilisé par un autre programme.
-page-faults-busy-do = Fermez appels et enregistreurs, puis touchez « Écouter » à nouveau.
+page-faults-busy-do = Ferme appels et enregistreurs, puis touche « Écouter » à nouveau.
 
 page-faults-insecure-what = Les navigateurs ne donnent le microphone qu’aux pages en https, ou de cet ordinateur même.
-page-faults-insecure-do = Ouvrez cette page en https ou par localhost. Les enregistrements peuvent être ouverts ainsi.
+page-faults-insecure-do = Ouvre cette page en https ou par localhost. Les enregistrements peuvent être ouverts ainsi.
 
 page-faults-unsupported-what = Ce navigateur ne fournit pas de son non traité.
-page-faults-unsupported-do = Utilisez un Firefox, Chrome, Edge ou Safari récent, ou ouvrez un enregistrement.
+page-faults-unsupported-do = Utilise un Firefox, Chrome, Edge ou Safari récent, ou ouvre un enregistrement.
 
 page-faults-ended-what = Le microphone a été déconnecté : débranché, ou pris par un appel.
 page-faults-ended-do = Le son enregistré jusque-là est conservé et analysé.
 
 page-faults-unknown-what = Le microphone n’a pas pu être ouvert.
-page-faults-unknown-do = Débranchez-le et rebranchez-le, ou redémarrez le navigateur. Vous pouvez ouvrir un enregistrement à la place.
+page-faults-unknown-do = Débranche-le et rebranche-le, ou redémarre le navigateur. Tu peux ouvrir un enregistrement à la place.
 
 page-faults-silent-what = Le microphone ne donne que du silence.
 page-faults-silent-do = Il est peut-être coupé par un interrupteur ou dans les réglages du système.
 
 page-faults-full-what = Le stockage du navigateur est plein.
-page-faults-full-do = Le son est complet en mémoire : enregistrez-le en WAV maintenant. Supprimez ensuite les essais inutiles.
+page-faults-full-do = Le son est complet en mémoire : enregistre-le en WAV maintenant. Supprime ensuite les essais inutiles.
 
 page-faults-unavailable-what = Le navigateur ne conserve rien ici (une fenêtre privée ?).
-page-faults-unavailable-do = Le son est complet en mémoire jusqu’à la fermeture de cette page : enregistrez-le en WAV.
+page-faults-unavailable-do = Le son est complet en mémoire jusqu’à la fermeture de cette page : enregistre-le en WAV.
 
 page-faults-empty-what = Le fichier est vide.
-page-faults-empty-do = Rien n’y a été écrit. L’enregistrement a-t-il été arrêté avant de commencer ? Enregistrez à nouveau ou choisissez un autre fichier.
+page-faults-empty-do = Rien n’y a été écrit. L’enregistrement a-t-il été arrêté avant de commencer ? Enregistre à nouveau ou choisis un autre fichier.
 
 page-faults-unsupported-file-what = Ce n’est ni un enregistrement ni une liste de temps.
 page-faults-unsupported-file-do = Sons : { $formats }. Listes : un temps en secondes par ligne.
 
 page-faults-damaged-what = Le fichier est endommagé.
-page-faults-damaged-do = Copiez-le ou téléchargez-le à nouveau. Un fichier qu’un téléphone écrit encore ne peut pas être lu.
+page-faults-damaged-do = Copie-le ou télécharge-le à nouveau. Un fichier qu’un téléphone écrit encore ne peut pas être lu.
 
 page-faults-times-what = Ces temps ne peuvent pas être des temps d’impact.
-page-faults-times-do = Donnez un temps en secondes par ligne, dans l’ordre croissant, avec une virgule ou un point décimal.
+page-faults-times-do = Donne un temps en secondes par ligne, dans l’ordre croissant, avec une virgule ou un point décimal.
 
 page-faults-huge-what = Le fichier est trop grand pour un navigateur.
-page-faults-huge-do = Jusqu’à 500 Mo, et une quarantaine de minutes de son. Coupez-le aux minutes de l’essai, ou utilisez la ligne de commande : bouncelab analyze.
+page-faults-huge-do = Jusqu’à 500 Mo, et une quarantaine de minutes de son. Coupe-le aux minutes de l’essai, ou utilise la ligne de commande : bouncelab analyze.
 
 page-faults-setting-what = Un réglage contredit les autres.
-page-faults-setting-do = Voyez ci-dessous, aux réglages.
+page-faults-setting-do = Vois ci-dessous, aux réglages.
 
 page-faults-fault-what = L’analyse a échoué.
-page-faults-fault-do = Ce qui a été enregistré est conservé. Rechargez la page et ouvrez-le à nouveau ; un rapport au projet est utile.
+page-faults-fault-do = Ce qui a été enregistré est conservé. Recharge la page et ouvre-le à nouveau ; un rapport au projet est utile.
 
 page-faults-link-what = Ce lien d’un essai ne peut pas être utilisé.
-page-faults-link-do = Copiez le lien entier, ou lisez le code à nouveau.
+page-faults-link-do = Copie le lien entier, ou lis le code à nouveau.
 
 page-faults-no-drop-what = Aucune balle qui rebondit n’y a été trouvée.
-page-faults-no-drop-do = Ouvrez-le dans le laboratoire : vous pouvez l’y écouter et marquer des impacts.
+page-faults-no-drop-do = Ouvre-le dans le laboratoire : tu peux l’y écouter et marquer des impacts.
 
 page-faults-archive-what = Ce n’est pas un fichier complet d’essais conservés.
-page-faults-archive-do = Copiez-le ou téléchargez-le à nouveau, et ajoutez celui-là. Ce qui est conservé ici n’a pas changé.
+page-faults-archive-do = Copie-le ou télécharge-le à nouveau, et ajoute celui-là. Ce qui est conservé ici n’a pas changé.
 
 page-faults-archive-newer-what = Une version plus récente de cette page a enregistré ce fichier.
-page-faults-archive-newer-do = Rechargez la page, et ajoutez le fichier à nouveau. Ce qui est conservé ici n’a pas changé.
+page-faults-archive-newer-do = Recharge la page, et ajoute le fichier à nouveau. Ce qui est conservé ici n’a pas changé.
 
 page-faults-archive-storage-what = Le fichier n’a pas pu être conservé en entier.
-page-faults-archive-storage-do = Le stockage du navigateur est plein ou indisponible. Supprimez les essais inutiles, et ajoutez le fichier à nouveau ; ce qui était conservé n’a pas changé.
+page-faults-archive-storage-do = Le stockage du navigateur est plein ou indisponible. Supprime les essais inutiles, et ajoute le fichier à nouveau ; ce qui était conservé n’a pas changé.
 
 page-faults-keep-what = L’essai n’a pas pu être conservé.
-page-faults-keep-do = Le stockage du navigateur est plein ou indisponible. Enregistrez plutôt le son et les nombres dans des fichiers.
+page-faults-keep-do = Le stockage du navigateur est plein ou indisponible. Enregistre plutôt le son et les nombres dans des fichiers.
 
 page-wave-title = Forme d’onde
 page-wave-label = Forme d’onde, position du curseur
@@ -186,7 +190,7 @@ page-wave-speed = Vitesse
 page-wave-slower = { $speed } ×
 page-wave-spectrogram = Spectrogramme
 page-wave-spectrogram-label = Spectrogramme : temps vers la droite, fréquence vers le haut, plus fort est plus sombre
-page-wave-overview = Tout l’enregistrement ; glissez pour déplacer
+page-wave-overview = Tout l’enregistrement ; glisse pour déplacer
 page-wave-restore = Comme détecté
 page-wave-list = Liste des impacts
 page-wave-number = N°
@@ -204,7 +208,7 @@ page-wave-moved = Impact { $number } déplacé à { $seconds } s.
 page-wave-undone = Annulé.
 page-wave-redone = Rétabli.
 page-wave-keys = Les flèches déplacent le curseur, avec Maj par petits pas ; Page précédente et Page suivante vont d’impact en impact ; plus et moins changent l’échelle, 0 montre tout ; Entrée ajoute un impact, Suppr supprime celui qui est choisi, virgule et point le déplacent, S le cale sur le son ; Espace lit ; Ctrl+Z annule.
-page-wave-pointer = Glissez pour déplacer, pincez ou tournez la molette pour agrandir (cliquez d’abord), touchez un impact pour le choisir, glissez-le pour le déplacer, touchez deux fois pour en ajouter un.
+page-wave-pointer = Glisse pour déplacer, pince ou tourne la molette pour agrandir (clique d’abord), touche un impact pour le choisir, glisse-le pour le déplacer, touche deux fois pour en ajouter un.
 page-wave-times = Il n’y a que des temps : aucun son à montrer.
 
 page-figures-title = Figures
@@ -212,8 +216,8 @@ page-figures-more = Plus de figures
 page-figures-fewer = Moins de figures
 page-curve-label = Hauteur de la balle en fonction du temps ; le premier saut détecté monte à { $height }
 page-figures-against = { $y } en fonction de { $x }
-page-figures-reset = Glissez latéralement pour agrandir, double clic pour tout voir.
-page-figures-numbers = Les mêmes en nombres
+page-figures-reset = Glisse latéralement pour agrandir, double clic pour tout voir.
+page-figures-numbers = Les valeurs en nombres
 page-figures-save-svg = SVG
 page-figures-save-png = PNG
 page-figures-save-csv = CSV
@@ -267,21 +271,23 @@ page-keep-kept = Conservé sous « { $name } ».
 page-keep-name = Nom
 page-keep-name-hint = par exemple : Anna, premier essai
 page-keep-see-all = Tableau des essais
-page-keep-lasting = Le navigateur garde ce qui est ici jusqu’à ce que vous le supprimiez.
-page-keep-not-lasting = Si la place manque, le navigateur peut supprimer ce qui est ici : enregistrez une copie dans un fichier.
+page-keep-lasting = Le navigateur garde ce qui est ici jusqu’à ce que tu le supprimes.
+page-keep-not-lasting = Si la place manque, le navigateur peut supprimer ce qui est ici : enregistre une copie dans un fichier.
+page-keep-for-a-week = Ce navigateur efface ce qu’une page garde après sept jours sans visite, sauf si la page est sur l’écran d’accueil (Partager, « Sur l’écran d’accueil ») : enregistre une copie dans un fichier.
+page-keep-commas = tableaux avec points-virgules et virgules décimales
 page-keep-wav = Son (WAV)
 page-keep-csv = Tableau (CSV)
 page-keep-json = Toutes les données (JSON)
 page-keep-share = Partager ces réglages
 page-keep-shared = L’adresse avec ces réglages a été copiée.
-page-keep-share-by-hand = Copiez cette adresse :
+page-keep-share-by-hand = Copie cette adresse :
 page-keep-report = Rapport (HTML)
 page-keep-link = Partager cet essai
-page-keep-link-by-hand = Ouvrez cette adresse ailleurs, ou visez le code avec un téléphone ; elle montre cet essai, sans le son :
+page-keep-link-by-hand = Ouvre cette adresse ailleurs, ou vise le code avec un téléphone ; elle montre cet essai, sans le son :
 page-keep-link-qr = Code QR de l’adresse de cet essai
 
 page-simulate-title = Simuler un essai
-page-simulate-lead = Déplacez un curseur et voyez ce qui change ; conservez une simulation pour la comparer à la suivante.
+page-simulate-lead = Déplace un curseur et vois ce qui change ; conserve une simulation pour la comparer à la suivante.
 page-simulate-height = Hauteur de chute
 page-simulate-restitution = Restitution (à 1 m/s)
 page-simulate-slope = Décroît avec la vitesse de
@@ -316,11 +322,11 @@ page-simulate-terminal = Sa vitesse limite est ici de { $speed }.
 page-simulate-no-terminal = Il n’y a pas d’air, donc pas de vitesse limite.
 page-simulate-losses = De son énergie, { $surface } sont perdus dans les impacts, { $air } dans l’air.
 page-simulate-impossible = Ceci ne peut pas être simulé :
-page-simulate-address = L’adresse contient les réglages : partagez-la, et d’autres verront la même simulation.
+page-simulate-address = L’adresse contient les réglages : partage-la, et d’autres verront la même simulation.
 
 page-paper-title = L’article
 page-paper-source = M. Nagurka, « Aerodynamic Effects in a Dropped Ping-Pong Ball Experiment »
-page-paper-lead = Faites tomber une balle de tennis de table et écoutez. Les temps entre les impacts donnent sa restitution et sa hauteur de chute, mais la hauteur est trop basse de 12 %. Cette page explique pourquoi, et calcule chaque nombre et chaque figure pendant que vous lisez.
+page-paper-lead = Faites tomber une balle de tennis de table et écoute. Les temps entre les impacts donnent sa restitution et sa hauteur de chute, mais la hauteur est trop basse de 12 %. Cette page explique pourquoi, et calcule chaque nombre et chaque figure pendant que tu lis.
 
 page-paper-one-title = 1. Des temps aux hauteurs
 page-paper-one-text-1 = Entre deux impacts, la balle monte et retombe pendant un temps T. Sans air, elle quitte la surface avec la vitesse gT/2 et monte à gT²/8. Il suffit d’une horloge.
@@ -330,7 +336,7 @@ page-paper-one-see = Les temps de vol d’une chute de 30,5 cm, sans air. Chaque
 
 page-paper-two-title = 2. L’expérience, et un désaccord
 page-paper-two-text-1 = L’article a fait tomber une balle de 2,5 g et 38 mm de 30,5 cm. L’ajustement log-linéaire de ses dix premiers vols a donné e = 0,9375 et une hauteur de chute de 26,7 cm.
-page-paper-two-text-2 = C’est 3,8 cm ou 12,3 % de trop peu, bien plus que l’erreur d’un mètre ruban. L’article y voit l’effet probable de la traînée de l’air.
+page-paper-two-text-2 = C’est 3,8 cm de moins, soit 12,3 %, bien plus que l’erreur d’un mètre ruban. L’article y voit l’effet probable de la traînée de l’air.
 
 page-paper-three-title = 3. L’intensité de la traînée de l’air
 page-paper-three-text = Aux 2,4 m/s du premier impact, la traînée n’est que 6 % du poids, et elle décroît comme le carré de la vitesse. L’article essaie deux lois : un coefficient constant de 0,4, et un qui dépend de la vitesse. Elles s’accordent là où la traînée compte.
@@ -339,7 +345,7 @@ page-paper-three-see = Traînée sur poids en fonction de la vitesse, d’après
 page-paper-three-see-height = L’essai entier avec e = 0,935, avec air et sans : avec une traînée de six pour cent du poids, la balle est au repos des secondes plus tôt.
 
 page-paper-four-title = 4. La traînée explique-t-elle le désaccord ?
-page-paper-four-text = Simulez des essais avec air, appliquez le même ajustement log-linéaire, et comparez à l’article. Choisissez la restitution de la balle et le nombre de vols de l’ajustement.
+page-paper-four-text = Simule des essais avec air, applique le même ajustement log-linéaire, et compare à l’article. Choisis la restitution de la balle et le nombre de vols de l’ajustement.
 page-paper-four-e = Vraie restitution de la balle, à 1 m/s
 page-paper-four-slope = Décroît avec la vitesse de
 page-paper-four-flights = Vols dans l’ajustement
@@ -386,7 +392,7 @@ page-paper-air-names-constant = C_D = 0,4
 page-paper-air-names-sphere = C_D(Re)
 page-paper-air-names-all-of-air = C_D(Re), poussée d’Archimède, masse ajoutée
 
-page-paper-try-it = À vous de faire tomber une balle
+page-paper-try-it = À toi de faire tomber une balle
 
 page-drops-title = Tableau des essais
 page-drops-empty = Aucun essai n’est encore conservé. Après un essai, « Conserver cet essai » le place ici, dans ce navigateur seulement.
@@ -416,8 +422,8 @@ page-drops-scatter-sentence = En moyenne, la balle a gardé { $mean } de sa vite
 page-drops-csv = Enregistrer le tableau (CSV)
 page-drops-json = Enregistrer tout (JSON)
 page-drops-archive = Enregistrer tout avec le son (ZIP)
-page-drops-archiving = Collecte des sons …
-page-drops-adding = Lecture de { $name } …
+page-drops-archiving = Collecte des sons…
+page-drops-adding = Lecture de { $name }…
 page-drops-added = { $count ->
     [0] Il ne contient rien de nouveau.
     [one] { $count } essai a été ajouté.
@@ -428,7 +434,7 @@ page-drops-deleted-all = { $count ->
     [one] { $count } essai a été supprimé.
    *[other] { $count } essais ont été supprimés.
   }
-page-drops-links = Liens d’essais d’autres personnes, autant que vous voulez
+page-drops-links = Liens d’essais d’autres personnes, autant que tu veux
 page-drops-links-do = Ajouter à ce tableau
 page-drops-unavailable = Le navigateur ne conserve rien ici (une fenêtre privée ?).
 
@@ -439,7 +445,7 @@ page-class-ball-of = Balle de { $name }
 page-class-surface-of = Surface de { $name }
 page-class-student-of = Élève de { $name }
 page-class-add = Ajouter des essais
-page-class-add-hint = Des fichiers de tout type que cette page enregistre ou ouvre, autant que vous voulez, aussi en ZIP ; et des liens. Ce qui est endommagé est nommé, le reste est ajouté.
+page-class-add-hint = Des fichiers de tout type que cette page enregistre ou ouvre, autant que tu veux, aussi en ZIP ; et des liens. Ce qui est endommagé est nommé, le reste est ajouté.
 page-class-files = Choisir des fichiers
 page-class-files-label = Fichiers d’essais
 page-class-known = { $count ->
@@ -474,39 +480,39 @@ page-reason-malformed = { $stage ->
    *[sound] Rien de son contenu sonore ne peut être décodé
   } ({ $format } : { $detail }).
 page-reason-no-audio-track = Ce fichier { $format } n’a pas de son, ou aucun d’un type connu. Le microphone était-il coupé ?
-page-reason-unsupported-codec = Le son de ce fichier { $format } ne peut pas être décodé : { $codec }. Exportez-le en WAV ou M4A.
+page-reason-unsupported-codec = Le son de ce fichier { $format } ne peut pas être décodé : { $codec }. Exporte-le en WAV ou M4A.
 page-reason-layout-too-slow = { $sample_rate_hz } échantillons par seconde sont trop peu pour dater un impact : il en faut au moins { $min_hz }.
 page-reason-layout-too-fast = Son en-tête annonce { $sample_rate_hz } échantillons par seconde ; { $max_hz } au plus sont lus.
 page-reason-layout-too-many-channels = Il a { $channels } voies ; { $max } au plus sont lues.
-page-reason-lasts-too-long = Il dure plus de { $max_h } heures, le plus qui soit lu. Coupez-le en parties.
+page-reason-lasts-too-long = Il dure plus de { $max_h } heures, le plus qui soit lu. Coupe-le en parties.
 page-reason-times-line = Ligne { $line } : { $problem }
 page-reason-times-ending = Le nom d’une liste se termine par .txt, .csv, .tsv, .xls, .xlsx, .ods, .zip, .json, .TextGrid ou .svl.
-page-reason-times-not-text = Ce n’est pas du texte. Enregistrez la liste en texte, en CSV ou dans un tableur.
+page-reason-times-not-text = Ce n’est pas du texte. Enregistre la liste en texte, en CSV ou dans un tableur.
 page-reason-times-not-table = Ce n’est pas un tableau ({ $detail }).
-page-reason-times-not-file = C’est un périphérique ou un tube ; enregistrez la liste dans un fichier.
-page-reason-times-too-long = Il y a plus de { $max_mb } Mo de texte ; enregistrez le son en WAV.
+page-reason-times-not-file = C’est un périphérique ou un tube ; enregistre la liste dans un fichier.
+page-reason-times-too-long = Il y a plus de { $max_mb } Mo de texte ; enregistre le son en WAV.
 page-reason-times-not-sample = « { $text } » n’est pas un nombre ; sous ses titres, une forme d’onde échantillonnée n’a que des nombres.
 page-reason-times-fewer-columns = { $found } nombres sur { $columns } : chaque ligne d’une forme d’onde échantillonnée en a un pour le temps et un par voie.
 page-reason-times-uneven = Elle vient { $interval_s } s après la précédente, mais { $mean_s } s séparent les lignes en moyenne ; les temps d’une forme d’onde échantillonnée sont équidistants.
-page-reason-times-sampled = C’est un tableau de { $rows } échantillons, { $rate_hz } par seconde, et non une liste de temps d’impact ; il faut au son au moins { $min_hz } échantillons par seconde. Donnez les temps des impacts.
-page-reason-times-positions = Ce sont des positions au cours du temps ({ $found }) et non des temps d’impact. Ouvrez l’enregistrement ou donnez les temps des impacts.
+page-reason-times-sampled = C’est un tableau de { $rows } échantillons, { $rate_hz } par seconde, et non une liste de temps d’impact ; il faut au son au moins { $min_hz } échantillons par seconde. Donne les temps des impacts.
+page-reason-times-positions = Ce sont des positions au cours du temps ({ $found }) et non des temps d’impact. Ouvre l’enregistrement ou donne les temps des impacts.
 page-reason-times-several-drops = Il y a plusieurs colonnes de temps ({ $found }) et { $rows } lignes. Une liste a un seul essai : une colonne de temps, ou une ligne d’arrêts.
-page-reason-times-no-order = { $number } suit { $before }. Des nombres sans titre sont des temps d’impact, qui croissent, ou des intervalles, qui décroissent. Écrivez time_s ou interval_s au-dessus ; des échantillons demandent une colonne de temps.
+page-reason-times-no-order = { $number } suit { $before }. Des nombres sans titre sont des temps d’impact, qui croissent, ou des intervalles, qui décroissent. Écris time_s ou interval_s au-dessus ; des échantillons demandent une colonne de temps.
 page-reason-times-not-interval = { $text } n’est pas un intervalle d’un impact au suivant, qui dépasse 0 s.
-page-reason-times-not-layer = Ce n’est pas une couche de Sonic Visualiser avec des points. Exportez-la à nouveau (File > Export Annotation Layer).
-page-reason-times-no-list = Aucun des tableaux n’est une liste de temps d’impact : { $found }. Ouvrez un enregistrement seul, et ceux d’une classe comme fichiers ou dossier.
-page-reason-times-tables-disagree = Les tableaux { $first } et { $second } ont des temps différents. Gardez l’un des deux.
-page-reason-times-of-recordings = C’est un tableau sur des enregistrements, et non une liste de temps d’impact. Ouvrez les enregistrements.
+page-reason-times-not-layer = Ce n’est pas une couche de Sonic Visualiser avec des points. Exporte-la à nouveau (File > Export Annotation Layer).
+page-reason-times-no-list = Aucun des tableaux n’est une liste de temps d’impact : { $found }. Ouvre un enregistrement seul, et ceux d’une classe comme fichiers ou dossier.
+page-reason-times-tables-disagree = Les tableaux { $first } et { $second } ont des temps différents. Garde l’un des deux.
+page-reason-times-of-recordings = C’est un tableau sur des enregistrements, et non une liste de temps d’impact. Ouvre les enregistrements.
 page-reason-times-not-array = Une liste de nombres était attendue, comme [0.1, 0.45] ({ $detail }).
-page-reason-times-not-text-grid = Ce n’est pas un TextGrid de Praat, ou pas en entier. Enregistrez-le à nouveau depuis Praat.
-page-reason-times-no-point-tier = Aucune couche n’a de points, seulement des intervalles : { $found }. Ajoutez dans Praat une couche avec un point à chaque impact (Tier > Add point tier…).
-page-reason-times-which-point-tier = Plusieurs couches ont des points : { $found }. Nommez dans Praat celle des impacts « impacts ».
+page-reason-times-not-text-grid = Ce n’est pas un TextGrid de Praat, ou pas en entier. Enregistre-le à nouveau depuis Praat.
+page-reason-times-no-point-tier = Aucune couche n’a de points, seulement des intervalles : { $found }. Ajoute dans Praat une couche avec un point à chaque impact (Tier > Add point tier…).
+page-reason-times-which-point-tier = Plusieurs couches ont des points : { $found }. Nomme dans Praat celle des impacts « impacts ».
 page-reason-times-no-time-column = Aucun titre n’a un mot pour temps ou impact avec une unité, comme time_s, Temps (s) ou interval_s. Il y a : { $found }.
-page-reason-times-nameless-columns = Il y a { $columns } colonnes. Nommez celle des temps dans une première ligne : time_s.
-page-reason-times-more-columns = Elle a { $found } colonnes, mais la première ligne en a { $columns }. Si la virgule est décimale, séparez les colonnes par des points-virgules.
+page-reason-times-nameless-columns = Il y a { $columns } colonnes. Nomme celle des temps dans une première ligne : time_s.
+page-reason-times-more-columns = Elle a { $found } colonnes, mais la première ligne en a { $columns }. Si la virgule est décimale, sépare les colonnes par des points-virgules.
 page-reason-times-missing = Le temps manque.
 page-reason-times-not-number = « { $text } » n’est pas un temps en secondes, comme 0.125.
-page-reason-times-not-later = { $time_s } ne vient pas après { $before_s }. Listez les impacts dans l’ordre.
+page-reason-times-not-later = { $time_s } ne vient pas après { $before_s }. Liste les impacts dans l’ordre.
 page-reason-too-large = Il fait { $megabytes } Mo.
 page-reason-too-long = Il a plus de { $minutes } minutes en { $channels ->
     [one] { $channels } voie
@@ -516,6 +522,6 @@ page-reason-no-memory = Cet appareil n’a pas assez de mémoire pour lui.
 page-reason-breaks-decoder = Il est endommagé, et son décodeur échoue.
 page-reason-unreadable = Le navigateur ne peut pas le lire. A-t-il été déplacé ou supprimé ?
 page-reason-link-changed = Il a été modifié ou est incomplet.
-page-reason-link-other-version = Une autre version de cette page l’a fait ; rechargez la page.
+page-reason-link-other-version = Une autre version de cette page l’a fait ; recharge la page.
 page-reason-link-times = Un lien contient de 2 à 1000 impacts.
 page-reason-link-too-long = L’essai a trop d’impacts pour un code QR.

@@ -2,6 +2,7 @@ import { useEffect } from 'preact/hooks';
 import { focusPage } from '../../app/focus.ts';
 import { Lasting } from '../../app/Lasting.tsx';
 import { Rich } from '../../app/Rich.tsx';
+import { CommaTick } from '../../app/Tick.tsx';
 import { estimated, PERCENT, rounded } from '../../format/quantity.ts';
 import {
   bringBack,
@@ -64,6 +65,7 @@ export function Drops() {
               {text('page-drops-delete-all')}
             </button>
           </div>
+          <CommaTick />
           <Archive />
           <p class="small soft">
             <Lasting />

@@ -1,4 +1,5 @@
 import { saveText } from '../../app/save.ts';
+import { saveCsv } from '../../app/saveCsv.ts';
 import { LIST_FORMAT, LIST_VERSION } from '../../store/archive.ts';
 import type { KeptDrop } from '../../store/drops.ts';
 
@@ -15,7 +16,7 @@ const COLUMNS = [
   'impacts',
 ] as const;
 
-/** The table for a spreadsheet: SI, a point for decimals, one row for each drop. */
+/** The table for a spreadsheet: SI, one row for each drop. */
 export function csvOf(drops: readonly KeptDrop[]): string {
   const rows = drops.map((drop) => [
     quoted(drop.name),
@@ -39,7 +40,7 @@ function quoted(text: string): string {
 }
 
 export const saveDropsCsv = (drops: readonly KeptDrop[]): void =>
-  saveText(csvOf(drops), 'text/csv', 'bouncelab-drops.csv');
+  saveCsv(csvOf(drops), 'bouncelab-drops.csv');
 
 export const saveDropsJson = (drops: readonly KeptDrop[]): void =>
   saveText(

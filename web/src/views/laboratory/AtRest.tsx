@@ -1,4 +1,5 @@
-import { type Option, speech, vibration } from '../../state/telling.ts';
+import { Tick } from '../../app/Tick.tsx';
+import { speech, vibration } from '../../state/telling.ts';
 import { text } from '../../text/language.ts';
 
 /** What the page shall do when the ball rests, as far as the browser can. */
@@ -12,19 +13,5 @@ export function AtRest() {
         <Tick option={vibration} label={text('page-rest-vibration')} />
       </div>
     </details>
-  );
-}
-
-function Tick({ option, label }: { readonly option: Option; readonly label: string }) {
-  if (!option.offered) return null;
-  return (
-    <label class="check">
-      <input
-        type="checkbox"
-        checked={option.isOn}
-        onChange={(event) => option.choose(event.currentTarget.checked)}
-      />
-      {label}
-    </label>
   );
 }

@@ -4,6 +4,8 @@ import { settingsToParameters } from '../../address/settings.ts';
 import { FaultNotice } from '../../app/FaultNotice.tsx';
 import { Lasting } from '../../app/Lasting.tsx';
 import { fileName, saveText } from '../../app/save.ts';
+import { saveCsv } from '../../app/saveCsv.ts';
+import { CommaTick } from '../../app/Tick.tsx';
 import type { Recording } from '../../lab/index.ts';
 import { request } from '../../state/analysing.ts';
 import { engine } from '../../state/engine.ts';
@@ -28,7 +30,7 @@ export function Keep() {
         <SaveSound />
         {drop.value && (
           <>
-            <button type="button" class="quiet" onClick={() => void saveCsv(stem)}>
+            <button type="button" class="quiet" onClick={() => void saveTable(stem)}>
               {text('page-keep-csv')}
             </button>
             <button type="button" class="quiet" onClick={() => saveJson(stem)}>
@@ -41,14 +43,15 @@ export function Keep() {
         )}
         <Share />
         {drop.value && <DropLink name={given || recording.name} />}
+        {drop.value && <CommaTick />}
       </div>
     </section>
   );
 }
 
-async function saveCsv(stem: string): Promise<void> {
+async function saveTable(stem: string): Promise<void> {
   const asked = request();
-  if (asked) saveText(await engine().csv(asked), 'text/csv', `${stem}.csv`);
+  if (asked) saveCsv(await engine().csv(asked), `${stem}.csv`);
 }
 
 /** One file to print, send or hand in: as the command line writes it, in the language of the page. */

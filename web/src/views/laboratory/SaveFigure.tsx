@@ -1,4 +1,5 @@
 import { fileName, rasterised, save, saveText } from '../../app/save.ts';
+import { saveCsv } from '../../app/saveCsv.ts';
 import { engine } from '../../state/engine.ts';
 import { figureRequest } from '../../state/figures.ts';
 import { workspace } from '../../state/workspace.ts';
@@ -31,6 +32,6 @@ async function saveDrawn(name: string, format: (typeof FORMATS)[number]): Promis
   const drawn = await engine().figure(asked);
   const file = `${fileName(workspace.peek()?.name ?? '')}-${drawn.name}`;
   if (format === 'svg') saveText(drawn.svg, 'image/svg+xml', `${file}.svg`);
-  else if (format === 'csv') saveText(drawn.csv, 'text/csv', `${file}.csv`);
+  else if (format === 'csv') saveCsv(drawn.csv, `${file}.csv`);
   else save(await rasterised(drawn.svg, drawn.width_px, drawn.height_px), `${file}.png`);
 }

@@ -1,6 +1,6 @@
 import { FaultNotice } from '../../app/FaultNotice.tsx';
 import { unreadable } from '../../state/settings.ts';
-import { busy, fault } from '../../state/workspace.ts';
+import { busy, fault, processing } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 import { Orphans } from './Orphans.tsx';
 import { SaveSound } from './SaveSound.tsx';
@@ -13,6 +13,13 @@ export function Troubles() {
         <FaultNotice fault={fault.value}>
           {(fault.value.key === 'full' || fault.value.key === 'unavailable') && <SaveSound />}
         </FaultNotice>
+      )}
+      {processing.value.length > 0 && (
+        <p class="notice">
+          {text('page-lab-processed', {
+            what: processing.value.map((name) => text(`page-lab-processed-${name}`)).join(', '),
+          })}
+        </p>
       )}
       {unreadable.value.length > 0 && (
         <p class="notice">
