@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { afterEach, beforeEach, expect, test } from 'vitest';
 import { fixture } from './harness/fixture.ts';
-import { answers, open, tryDemo } from './support/page.ts';
+import { answers, open, settled, still, tryDemo } from './support/page.ts';
 
 const here = fixture();
 let page: Page;
@@ -114,6 +114,7 @@ test('an impact can be removed from the list, and a double click adds one', asyn
   // What was impact 6 is number 5 now, and the keyboard stands on it.
   const focus = page.locator(':focus');
   expect(await focus.getAttribute('aria-label')).toBe('Remove impact 5');
+  await settled(page);
   const box = await waveform().boundingBox();
   if (!box) throw new Error('no waveform');
   await doubleClick(page, box.x + 5, box.y + box.height / 2);
@@ -146,4 +147,46 @@ test('the words follow an edit before the inference is done', async () => {
   );
   process.stdout.write(`words follow an edit after ${took.toFixed(0)} ms\n`);
   expect(busy).toBe('true');
+});
+
+test('on a phone the way back is in reach after a change, and faint impacts can be seen', async () => {
+  const phone = { viewport: { width: 320, height: 568 }, hasTouch: true, isMobile: true } as const;
+  const { page: on } = await open(here.browser, here.url, phone);
+  await tryDemo(on);
+  const before = await answers(on);
+  const stage = on.locator('.wave-stage');
+  await stage.scrollIntoViewIfNeeded();
+  await stage.focus();
+  for (const key of ['Home', 'PageDown', 'PageDown', 'Delete']) await on.keyboard.press(key);
+  await on.getByText('Impact 2 removed.').waitFor();
+  const [wave, undo] = [
+    await stage.boundingBox(),
+    await on.getByRole('button', { name: 'Undo' }).boundingBox(),
+  ];
+  if (!wave || !undo) throw new Error('no waveform, or no way back');
+  expect(undo.x).toBeGreaterThanOrEqual(0);
+  expect(undo.x + undo.width).toBeLessThanOrEqual(320);
+  expect(undo.y - (wave.y + wave.height)).toBeLessThan(120);
+  await on.getByRole('button', { name: 'Undo' }).tap();
+  expect(await answers(on)).toEqual(before);
+
+  await stage.focus();
+  await on.keyboard.press('End');
+  for (let i = 0; i < 4; i += 1) await on.keyboard.press('+');
+  const drawn = () =>
+    stage.locator('canvas').evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+  const pictures = new Set<string>();
+  for (const height of ['height: recording', 'height: view', 'height: decibels']) {
+    await on.getByLabel('Height of the waveform').selectOption({ label: height });
+    await still(on);
+    pictures.add(await drawn());
+  }
+  expect(pictures.size).toBe(3);
+  await on.getByRole('button', { name: 'Spectrogram' }).click();
+  await on
+    .locator('.spectrogram')
+    .getByText(/^\d+ kHz$/)
+    .first()
+    .waitFor();
+  await on.context().close();
 });

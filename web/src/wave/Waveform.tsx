@@ -3,11 +3,12 @@ import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { fixed } from '../format/quantity.ts';
 import { dark, fontOf } from '../style/colours.ts';
 import { language, text } from '../text/language.ts';
+import { type Amplitude, heightOf } from './amplitude.ts';
 import { type GestureTarget, listenToGestures } from './gestures.ts';
 import { type Action, actionOf } from './keys.ts';
 import { beside, CERTAIN, type Mark, nearest } from './mark.ts';
 import { paint, palette, type Scene, type Surface } from './painter.ts';
-import { type Pyramid, peakOf } from './pyramid.ts';
+import type { Pyramid } from './pyramid.ts';
 import { clamped, revealing, type Viewport, whole, widthS, zoomed } from './viewport.ts';
 
 /** What the reader does to the impacts. */
@@ -30,6 +31,7 @@ export interface WaveformProps {
   readonly durationS: number;
   readonly marks: readonly Mark[];
   readonly view: Signal<Viewport>;
+  readonly amplitude: Signal<Amplitude>;
   readonly selected: Signal<number | null>;
   readonly cursorS: Signal<number | null>;
   readonly edits: WaveformEdits;
@@ -46,8 +48,6 @@ export function Waveform(props: WaveformProps) {
   const latest = useRef(props);
   latest.current = props;
   const painter = useMemo(() => new Painter(latest), []);
-  const peak = useMemo(() => peakOf(props.pyramid), [props.pyramid]);
-  painter.peak = peak;
 
   useEffect(() => {
     const element = stage.current;
@@ -62,15 +62,19 @@ export function Waveform(props: WaveformProps) {
   }, [painter]);
 
   // Whatever of these changes, the picture is painted once, with the next frame.
-  const { view, selected, cursorS, isPlaying, marks, pyramid, durationS } = props;
-  const [isDark, now, chosen, cursor, sounding] = [
+  const { view, amplitude, selected, cursorS, isPlaying, marks, pyramid, durationS } = props;
+  const [isDark, now, scale, chosen, cursor, sounding] = [
     dark.value,
     view.value,
+    amplitude.value,
     selected.value,
     cursorS.value,
     isPlaying.value,
   ];
-  useEffect(() => painter.request(), [now, chosen, cursor, sounding, marks, pyramid, isDark]);
+  useEffect(
+    () => painter.request(),
+    [now, scale, chosen, cursor, sounding, marks, pyramid, isDark],
+  );
   useEffect(() => painter.forgetColours(), [isDark]);
 
   const at = cursor ?? now.startS;
@@ -216,7 +220,6 @@ function gestureTarget(
 
 /** Paints at most once a frame, and goes on by itself while a sound is played. */
 class Painter {
-  peak = 0;
   #surface: Surface | undefined;
   #frame = 0;
 
@@ -257,12 +260,12 @@ class Painter {
   #paint(): void {
     this.#frame = 0;
     if (!this.#surface || this.#surface.width === 0) return;
-    const { pyramid, view, marks, selected, cursorS, playheadS } = this.latest.current;
+    const { pyramid, view, amplitude, marks, selected, cursorS, playheadS } = this.latest.current;
     const playhead = playheadS();
     const scene: Scene = {
       pyramid,
       view: view.value,
-      peak: this.peak,
+      heightOf: heightOf(amplitude.value, pyramid, view.value),
       marks,
       selected: selected.value,
       cursorS: cursorS.value,

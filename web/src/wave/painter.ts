@@ -37,7 +37,8 @@ export function palette(): Palette {
 export interface Scene {
   readonly pyramid: Pyramid;
   readonly view: Viewport;
-  readonly peak: number;
+  /** The height of a sample as a share of what there is above the middle. */
+  readonly heightOf: (sample: number) => number;
   readonly marks: readonly Mark[];
   readonly selected: number | null;
   readonly cursorS: number | null;
@@ -116,14 +117,13 @@ let columns = new Float32Array(0);
 
 function paintColumns(surface: Surface, scene: Scene, perColumn: number): void {
   const { context, width, ratio, palette: colours } = surface;
-  const { pyramid, view, peak } = scene;
+  const { pyramid, view, heightOf } = scene;
   const level = levelFor(pyramid, perColumn);
   if (!level) return;
   const count = Math.ceil(width * ratio);
   if (columns.length < 2 * count) columns = new Float32Array(2 * count);
   const from = view.startS * pyramid.rateHz;
   const { middle, half } = frame(surface);
-  const scale = peak > 0 ? half / peak : 0;
   const step = 1 / ratio;
   context.fillStyle = colours.wave;
   context.beginPath();
@@ -131,10 +131,9 @@ function paintColumns(surface: Surface, scene: Scene, perColumn: number): void {
     const first = from + column * perColumn;
     if (first >= pyramid.samples.length) break;
     columnOf(level, first, first + perColumn, columns, column);
-    const low = columns[2 * column] as number;
-    const high = columns[2 * column + 1] as number;
-    const top = middle - high * scale;
-    context.rect(column * step, top, step, Math.max((high - low) * scale, step));
+    const low = half * heightOf(columns[2 * column] as number);
+    const high = half * heightOf(columns[2 * column + 1] as number);
+    context.rect(column * step, middle - high, step, Math.max(high - low, step));
   }
   context.fill();
 }
@@ -142,10 +141,9 @@ function paintColumns(surface: Surface, scene: Scene, perColumn: number): void {
 /** Closer than the pyramid: the samples themselves, joined by a line. */
 function paintSamples(surface: Surface, scene: Scene): void {
   const { context, width, palette: colours } = surface;
-  const { pyramid, view, peak } = scene;
+  const { pyramid, view, heightOf } = scene;
   const { rateHz, samples } = pyramid;
   const { middle, half } = frame(surface);
-  const scale = peak > 0 ? half / peak : 0;
   const first = Math.max(0, Math.floor(view.startS * rateHz));
   const last = Math.min(samples.length - 1, Math.ceil(view.endS * rateHz));
   context.strokeStyle = colours.wave;
@@ -154,7 +152,7 @@ function paintSamples(surface: Surface, scene: Scene): void {
   context.beginPath();
   for (let i = first; i <= last; i += 1) {
     const x = xOf(i / rateHz, view, width);
-    const y = middle - (samples[i] as number) * scale;
+    const y = middle - half * heightOf(samples[i] as number);
     if (i === first) context.moveTo(x, y);
     else context.lineTo(x, y);
   }

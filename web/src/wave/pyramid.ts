@@ -54,3 +54,13 @@ export function peakOf(pyramid: Pyramid): number {
   for (const value of coarsest?.extremes ?? []) peak = Math.max(peak, Math.abs(value));
   return peak;
 }
+
+/** The largest sample between two moments. */
+export function peakBetween(pyramid: Pyramid, startS: number, endS: number): number {
+  const [from, to] = [startS * pyramid.rateHz, endS * pyramid.rateHz];
+  const level = levelFor(pyramid, (to - from) / 1000);
+  if (!level) return 0;
+  const extremes = new Float32Array(2);
+  columnOf(level, from, to, extremes, 0);
+  return Math.max(0, -(extremes[0] as number), extremes[1] as number);
+}

@@ -1,9 +1,10 @@
 import { signal } from '@preact/signals';
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { fixed } from '../../format/quantity.ts';
 import type { Spectrogram as Picture } from '../../lab/index.ts';
 import { view, workspace } from '../../state/workspace.ts';
 import { colour, dark } from '../../style/colours.ts';
-import { text } from '../../text/language.ts';
+import { language, text } from '../../text/language.ts';
 
 export const showSpectrogram = signal(false);
 
@@ -14,6 +15,7 @@ const REST = 120;
 /** The visible part as a spectrogram: an impact is a thin vertical line, a voice is horizontal. */
 export function Spectrogram() {
   const canvas = useRef<HTMLCanvasElement>(null);
+  const [topHz, setTopHz] = useState(0);
   const seen = view.value;
   const shown = showSpectrogram.value;
   const isDark = dark.value;
@@ -28,7 +30,9 @@ export function Spectrogram() {
       const picture = await loaded.recording
         .spectrogram(seen.startS, seen.endS, columns, ROWS)
         .catch(() => null);
-      if (current && picture) paintSpectrogram(element, picture);
+      if (!current || !picture) return;
+      paintSpectrogram(element, picture);
+      setTopHz(picture.topHz);
     }, REST);
     return () => {
       current = false;
@@ -38,13 +42,26 @@ export function Spectrogram() {
 
   if (!shown) return null;
   return (
-    <canvas
-      ref={canvas}
-      class="spectrogram"
-      role="img"
-      aria-label={text('page-wave-spectrogram-label')}
-    />
+    <div class="spectrogram">
+      <canvas ref={canvas} role="img" aria-label={text('page-wave-spectrogram-label')} />
+      {frequencies(topHz).map((kilohertz) => (
+        <span
+          key={kilohertz}
+          class="small"
+          style={{ insetBlockEnd: `${(1e5 * kilohertz) / topHz}%` }}
+        >
+          {fixed(kilohertz, 0, language.value)} kHz
+        </span>
+      ))}
+    </div>
   );
+}
+
+/** Round frequencies along the axis, in kilohertz, about four of them. */
+function frequencies(topHz: number): number[] {
+  const step = [1, 2, 5, 10, 20, 50].find((round) => 4500 * round >= topHz) ?? 100;
+  const count = Math.max(0, Math.ceil(topHz / 1000 / step) - 1);
+  return Array.from({ length: count }, (_, index) => (index + 1) * step);
 }
 
 /** In shades of the text colour on the background, the lowest frequency at the bottom. */

@@ -1,11 +1,12 @@
 import { playheadS, playing } from '../../sound/player.ts';
 import * as editing from '../../state/editing.ts';
-import { playView } from '../../state/sound.ts';
+import { amplitude, playView } from '../../state/sound.ts';
 import { cursorS, marks, selected, view, workspace } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 import { Overview } from '../../wave/Overview.tsx';
 import { Waveform, type WaveformEdits } from '../../wave/Waveform.tsx';
 import { DropChoice } from './DropChoice.tsx';
+import { History } from './History.tsx';
 import { ImpactTable } from './ImpactTable.tsx';
 import { Spectrogram } from './Spectrogram.tsx';
 import { WaveTools } from './WaveTools.tsx';
@@ -38,6 +39,7 @@ export function WaveEditor() {
             durationS={durationS}
             marks={marks.value}
             view={view}
+            amplitude={amplitude}
             selected={selected}
             cursorS={cursorS}
             edits={edits}
@@ -59,11 +61,9 @@ export function WaveEditor() {
       ) : (
         <p class="soft">{text('page-wave-times')}</p>
       )}
+      <History />
       <WaveTools />
       <ImpactTable />
-      <p class="unseen" role="status">
-        {editing.announced.value}
-      </p>
     </section>
   );
 }

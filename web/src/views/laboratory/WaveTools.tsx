@@ -1,48 +1,13 @@
-import type { ComponentChildren } from 'preact';
-import {
-  All,
-  Back,
-  Bin,
-  Closer,
-  Forth,
-  Magnet,
-  Pause,
-  Play,
-  Plus,
-  Wider,
-} from '../../app/icons.tsx';
+import { All, Bin, Closer, Magnet, Pause, Play, Plus, Wider } from '../../app/icons.tsx';
+import { Tool } from '../../app/Tool.tsx';
 import { playing, SPEEDS, type Speed } from '../../sound/player.ts';
 import * as editing from '../../state/editing.ts';
-import { canRedo, canUndo } from '../../state/history.ts';
-import { playView, speed } from '../../state/sound.ts';
-import { cursorS, edited, present, selected, view, workspace } from '../../state/workspace.ts';
+import { amplitude, playView, speed } from '../../state/sound.ts';
+import { cursorS, selected, view, workspace } from '../../state/workspace.ts';
 import { language, text } from '../../text/language.ts';
+import { AMPLITUDES, type Amplitude } from '../../wave/amplitude.ts';
 import { whole, zoomed } from '../../wave/viewport.ts';
 import { showSpectrogram } from './Spectrogram.tsx';
-
-interface ToolProps {
-  readonly do: () => void;
-  readonly disabled?: boolean;
-  readonly pressed?: boolean;
-  readonly children: ComponentChildren;
-}
-
-function Tool({ do: act, disabled = false, pressed, children }: ToolProps) {
-  return (
-    // Not `disabled`: a button that has done its work would drop the keyboard.
-    <button
-      type="button"
-      class="tool"
-      aria-disabled={disabled}
-      aria-pressed={pressed}
-      onClick={() => {
-        if (!disabled) act();
-      }}
-    >
-      {children}
-    </button>
-  );
-}
 
 /** Buttons for the actions of the waveform, each of which has a key too. */
 export function WaveTools() {
@@ -88,6 +53,20 @@ function Zooming() {
         <All />
         {text('page-wave-all')}
       </Tool>
+      <select
+        class="tool"
+        aria-label={text('page-wave-amplitude')}
+        value={amplitude.value}
+        onChange={(event) => {
+          amplitude.value = event.currentTarget.value as Amplitude;
+        }}
+      >
+        {AMPLITUDES.map((name) => (
+          <option key={name} value={name}>
+            {text(`page-wave-amplitude-${name}`)}
+          </option>
+        ))}
+      </select>
     </div>
   );
 }
@@ -127,7 +106,6 @@ function PlaybackTools() {
 }
 
 function Correcting() {
-  const history = present.value;
   const chosen = selected.value;
   return (
     <div class="group">
@@ -162,17 +140,6 @@ function Correcting() {
           {text('page-wave-snap')}
         </Tool>
       )}
-      <Tool disabled={!history || !canUndo(history)} do={editing.undo}>
-        <Back />
-        {text('page-app-undo')}
-      </Tool>
-      <Tool disabled={!history || !canRedo(history)} do={editing.redo}>
-        <Forth />
-        {text('page-app-redo')}
-      </Tool>
-      <Tool disabled={!edited.value} do={editing.restore}>
-        {text('page-wave-restore')}
-      </Tool>
     </div>
   );
 }
