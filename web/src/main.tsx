@@ -9,23 +9,27 @@ import { keepAnalysed } from './state/analysing.ts';
 import { start } from './state/engine.ts';
 import { keepDrawn } from './state/figures.ts';
 import { loadKept } from './state/keeping.ts';
+import { readLesson } from './state/lesson.ts';
 import { followLink } from './state/linking.ts';
 import { findOrphans } from './state/orphans.ts';
 import { readSettings } from './state/settings.ts';
 import { keepSimulated, readSimulation } from './state/simulating.ts';
 import { workspace } from './state/workspace.ts';
 import { followTheme } from './style/colours.ts';
-import { preferred, speak } from './text/language.ts';
+import { mendLanguage, preferred, speak } from './text/language.ts';
 
 followTheme();
 readSettings(false);
 readSimulation();
+readLesson();
 addEventListener('hashchange', () => {
   readSettings(workspace.peek() !== null);
   readSimulation();
+  readLesson();
   void followLink();
 });
 await speak(preferred());
+mendLanguage();
 const place = document.getElementById('page');
 if (place) render(<App />, place);
 keepAnalysed();

@@ -115,6 +115,7 @@ test('an impact can be removed from the list, and a double click adds one', asyn
   const focus = page.locator(':focus');
   expect(await focus.getAttribute('aria-label')).toBe('Remove impact 5');
   await settled(page);
+  await waveform().scrollIntoViewIfNeeded();
   const box = await waveform().boundingBox();
   if (!box) throw new Error('no waveform');
   await doubleClick(page, box.x + 5, box.y + box.height / 2);

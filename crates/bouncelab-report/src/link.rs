@@ -1,4 +1,4 @@
-//! A drop as the end of a link: its impact times, what was stated of it, and its name.
+//! A drop as the end of a link: its impact times, what was stated of it, its name and its surface.
 //!
 //! ```
 //! use bouncelab::settings::Settings;
@@ -6,6 +6,7 @@
 //!
 //! let drop = LinkedDrop {
 //!     name: "Anna, first try".to_owned(),
+//!     surface: "wood".to_owned(),
 //!     settings: Settings::of_ball("tennis"),
 //!     times_s: vec![0.0, 0.4605, 0.8877, 1.2854],
 //! };
@@ -32,10 +33,10 @@ const STEPS_PER_S: f64 = 1e5;
 const LAST_STEP: i64 = 100_000_000_000;
 /// A drop has fewer impacts, and a QR code holds no more.
 const MAX_IMPACTS: usize = 1000;
-/// Letters of a name; the rest is left out.
+/// Letters of a name and of a surface; the rest is left out.
 const MAX_LETTERS: usize = 60;
 /// The form of what is packed; another whenever it changes.
-const VERSION: u8 = 2;
+const VERSION: u8 = 3;
 
 const CHECK: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);
 
@@ -45,6 +46,8 @@ const CHECK: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);
 pub struct LinkedDrop {
     /// What it is called.
     pub name: String,
+    /// On what it was dropped; empty if that was not given.
+    pub surface: String,
     /// What was stated of ball, air, gravity and height.
     #[serde(serialize_with = "as_stated")]
     pub settings: Settings,
@@ -77,6 +80,7 @@ pub enum LinkProblem {
 struct Packed<'a> {
     version: u8,
     name: &'a str,
+    surface: &'a str,
     settings: &'a str,
     /// The differences of the differences of the times, in steps.
     steps: Vec<i64>,
@@ -98,12 +102,14 @@ impl LinkedDrop {
             .iter()
             .map(|time_s| (time_s * STEPS_PER_S).round() as i64);
         let steps = train(steps.collect())?;
-        let name: String = self.name.chars().take(MAX_LETTERS).collect();
+        let shortened = |text: &str| text.chars().take(MAX_LETTERS).collect::<String>();
+        let (name, surface) = (shortened(&self.name), shortened(&self.surface));
         let settings = stated(&self.settings).expect("settings are plain data");
         let settings = settings.to_string();
         let packed = Packed {
             version: VERSION,
             name: &name,
+            surface: &surface,
             settings: &settings,
             steps: differences(&differences(&steps)),
         };
@@ -131,6 +137,7 @@ impl LinkedDrop {
         let steps = train(sums(&sums(&packed.steps)?)?)?;
         Ok(Self {
             name: packed.name.to_owned(),
+            surface: packed.surface.to_owned(),
             settings: serde_json::from_str(packed.settings).map_err(|_| OtherVersion)?,
             times_s: steps
                 .into_iter()

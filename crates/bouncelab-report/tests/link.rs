@@ -22,20 +22,23 @@ fn drops(impacts: impl Into<proptest::collection::SizeRange>) -> impl Strategy<V
         });
         steps.collect::<Vec<_>>()
     });
-    (".{0,60}", height, times).prop_map(|(name, height_mm, times_s)| LinkedDrop {
-        name: name.chars().take(MAX_LETTERS).collect(),
-        settings: Settings {
-            air: AirSettings {
-                temperature_k: Some(293.15),
-                ..AirSettings::default()
+    (".{0,60}", ".{0,20}", height, times).prop_map(|(name, surface, height_mm, times_s)| {
+        LinkedDrop {
+            name: name.chars().take(MAX_LETTERS).collect(),
+            surface,
+            settings: Settings {
+                air: AirSettings {
+                    temperature_k: Some(293.15),
+                    ..AirSettings::default()
+                },
+                drop: DropSettings {
+                    height_m: height_mm.map(|height| f64::from(height) / 1000.0),
+                    ..DropSettings::default()
+                },
+                ..Settings::of_ball("table-tennis-40")
             },
-            drop: DropSettings {
-                height_m: height_mm.map(|height| f64::from(height) / 1000.0),
-                ..DropSettings::default()
-            },
-            ..Settings::of_ball("table-tennis-40")
-        },
-        times_s,
+            times_s,
+        }
     })
 }
 
@@ -138,6 +141,7 @@ fn what_is_no_drop_is_refused() {
     ] {
         let drop = LinkedDrop {
             name: String::new(),
+            surface: String::new(),
             settings: Settings::default(),
             times_s,
         };

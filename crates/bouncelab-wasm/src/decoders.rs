@@ -127,6 +127,18 @@ pub fn drop_link(drop: &str, page: &str) -> Result<String> {
     Ok(serde_json::to_string(&link)?)
 }
 
+/// Any other link with its QR code.
+#[wasm_bindgen(js_name = qrCode)]
+pub fn qr_code(address: String) -> Result<String> {
+    Ok(serde_json::to_string(&link::qr_code(address)?)?)
+}
+
+/// The text of a QR code in a picture of these grey levels, row by row, if there is one.
+#[wasm_bindgen(js_name = readQrCode)]
+pub fn read_qr_code(grey: &[u8], width: usize) -> Option<String> {
+    link::read_qr_code(grey, width)
+}
+
 /// The drop of a link.
 #[wasm_bindgen(js_name = linkedDrop)]
 pub fn linked_drop(code: &str) -> Result<String> {

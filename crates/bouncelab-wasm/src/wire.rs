@@ -269,7 +269,7 @@ pub struct Drawn {
     pub height_px: f64,
 }
 
-/// A drop as a link.
+/// A link, such as that of a drop, with its QR code.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]
 pub struct DropLink {

@@ -268,6 +268,18 @@ export class Lab {
     );
   }
 
+  /** Any other link with its QR code. */
+  qrCode(address: string): Promise<DropLink> {
+    return this.#alone(true, undefined, (connection) => connection.call('qrCode', { address }));
+  }
+
+  /** The text of a QR code in a picture of these grey levels, row by row, if one can be read. */
+  readQrCode(grey: Uint8Array, width: number): Promise<string | null> {
+    return this.#alone(true, undefined, (connection) =>
+      connection.call('readQrCode', { grey, width }),
+    );
+  }
+
   /** The drop at the end of a link. */
   linkedDrop(code: string): Promise<LinkedDrop> {
     return this.#alone(true, undefined, (connection) => connection.call('linkedDrop', { code }));

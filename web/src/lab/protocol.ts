@@ -122,6 +122,8 @@ export interface Calls {
   };
   csv: { request: { request: AnalysisRequest }; response: string };
   dropLink: { request: { drop: LinkedDrop; page: string }; response: DropLink };
+  qrCode: { request: { address: string }; response: DropLink };
+  readQrCode: { request: { grey: Uint8Array; width: number }; response: string | null };
   linkedDrop: { request: { code: string }; response: LinkedDrop };
   study: { request: { request: StudyRequest }; response: Studied };
   studyReport: { request: { request: StudyRequest }; response: string };

@@ -159,6 +159,8 @@ const handlers: Handlers = {
   dropLink: ({ drop, page }) => ({
     response: JSON.parse(decoding.dropLink(JSON.stringify(drop), page)),
   }),
+  qrCode: ({ address }) => ({ response: JSON.parse(decoding.qrCode(address)) }),
+  readQrCode: ({ grey, width }) => ({ response: decoding.readQrCode(grey, width) ?? null }),
   linkedDrop: ({ code }) => ({ response: JSON.parse(decoding.linkedDrop(code)) }),
 
   study: ({ request }, { messages: { code, sources } }) => ({

@@ -31,6 +31,10 @@ export function ballOf(drop: KeptDrop): string {
   return preset === undefined ? drop.ball : ballName(preset);
 }
 
+/** Whether drops are of one ball on one surface: others have no mean. */
+export const areAlike = (drops: readonly KeptDrop[]): boolean =>
+  new Set(drops.map((drop) => JSON.stringify([ballOf(drop), drop.surface]))).size < 2;
+
 const levelOf = (drop: KeptDrop, field: Field): string =>
   field === 'ball' ? ballOf(drop) : drop[field];
 

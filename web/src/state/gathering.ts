@@ -182,9 +182,9 @@ const recorded = (file: Named, student: string): Source =>
 
 function link(code: string, student: string): Source {
   return drops(`…${code.slice(-8)}`, async () => {
-    const { name, settings, times_s } = await engine().linkedDrop(code);
+    const { name, surface, settings, times_s } = await engine().linkedDrop(code);
     const measured = await measure(await engine().paste(times_s.join('\n')), settings);
-    return named(measured, name, student || name);
+    return named(measured, name, student || name, surface);
   });
 }
 
@@ -198,7 +198,12 @@ const drops = (name: string, read: () => Promise<readonly KeptDrop[]>): Source =
 });
 
 /** Drops of one source, ready to be kept; several are numbered. */
-function named(measured: readonly Measured[], name: string, student: string): KeptDrop[] {
+function named(
+  measured: readonly Measured[],
+  name: string,
+  student: string,
+  surface = '',
+): KeptDrop[] {
   return measured.map((drop, place) => ({
     ...drop,
     id: newId(),
@@ -206,7 +211,7 @@ function named(measured: readonly Measured[], name: string, student: string): Ke
     keptAt: Date.now(),
     recording: null,
     student,
-    surface: '',
+    surface,
   }));
 }
 

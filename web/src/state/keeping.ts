@@ -6,6 +6,7 @@ import { lock, locked } from '../store/locks.ts';
 import { addRecording, deleteRecording } from '../store/recordings.ts';
 import { setMarks } from './editing.ts';
 import { askToLast, lookAtLasting } from './lasting.ts';
+import { pupil } from './lesson.ts';
 import { linkOfDrop } from './linking.ts';
 import { dropNear, forEngine } from './marks.ts';
 import { type Measured, measureMarks, summaryOf } from './measuring.ts';
@@ -69,8 +70,8 @@ export async function keepDrop(name: string): Promise<boolean> {
       settings: settings.peek(),
       marks: forEngine(marks, result.probability),
       recording: sound,
-      student: '',
-      surface: '',
+      student: pupil().name,
+      surface: pupil().surface,
     };
     await putDrop(keptDrop);
     void askToLast();

@@ -3,6 +3,7 @@ import { DROP } from '../address/drop.ts';
 import { addressOf, parseRoute } from '../address/route.ts';
 import type { DropLink } from '../lab/index.ts';
 import { engine, faultOf } from './engine.ts';
+import { pupil } from './lesson.ts';
 import { openLinked } from './opening.ts';
 import { settings } from './settings.ts';
 import { busy, fail, marks } from './workspace.ts';
@@ -11,6 +12,7 @@ import { busy, fail, marks } from './workspace.ts';
 export function linkOfDrop(name: string): Promise<DropLink> {
   const drop = {
     name,
+    surface: pupil().surface,
     settings: settings.peek(),
     times_s: marks.peek().map(({ timeS }) => timeS),
   };

@@ -44,7 +44,11 @@ export const openTimes = (times: string): Promise<void> =>
   load(text('page-lab-pasted-name'), () => engine().paste(times));
 
 /** A drop that has times and no sound, with the set-up that it was made with. */
-export const openLinked = ({ name, times_s, settings }: LinkedDrop): Promise<void> =>
+export const openLinked = ({
+  name,
+  times_s,
+  settings,
+}: Omit<LinkedDrop, 'surface'>): Promise<void> =>
   load(name, () => engine().paste(times_s.join('\n')), { setup: settings });
 
 /** The ball that is heard in the demo. */

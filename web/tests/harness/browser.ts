@@ -45,6 +45,8 @@ export const PATIENCE_MS = 240_000;
 /** How a browser is launched. */
 export interface Options {
   readonly microphone?: Microphone;
+  /** A film that its camera plays, in the format Y4M. */
+  readonly camera?: string;
   /** Those of the system, unless a set is named. */
   readonly fonts?: FontSet | undefined;
 }
@@ -59,11 +61,13 @@ export function chromiumHere(): string {
 }
 
 /** A browser with this microphone and these fonts. */
-export async function launch({ microphone = 'silence', fonts }: Options = {}): Promise<Browser> {
+export async function launch(options: Options = {}): Promise<Browser> {
+  const { microphone = 'silence', camera, fonts } = options;
   const env = { ...process.env, ...(fonts && environment(fonts)) } as Record<string, string>;
   const usual = { env, timeout: PATIENCE_MS };
   if (FIREFOX) return launchFirefox(FIREFOX, microphone, usual);
-  const args = ['--no-sandbox', ...QUIET, ...sound(microphone)];
+  const seen = camera === undefined ? [] : [`--use-file-for-fake-video-capture=${camera}`];
+  const args = ['--no-sandbox', ...QUIET, ...sound(microphone), ...seen];
   return chromium.launch({ executablePath: chromiumHere(), args, ...usual });
 }
 

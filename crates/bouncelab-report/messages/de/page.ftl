@@ -284,7 +284,6 @@ page-keep-shared = Die Adresse mit diesen Einstellungen ist kopiert.
 page-keep-share-by-hand = Diese Adresse kopieren:
 page-keep-report = Bericht (HTML)
 page-keep-link = Diesen Versuch teilen
-page-keep-link-by-hand = Öffne diese Adresse anderswo, oder richte ein Handy auf den Code; sie zeigt diesen Versuch ohne seinen Ton:
 page-keep-link-qr = QR-Code der Adresse dieses Versuchs
 
 page-simulate-title = Einen Versuch simulieren
@@ -460,6 +459,26 @@ page-class-sheets = Arbeitsblätter
 page-class-sheet-bounciness = Wie gut springt ein Ball?
 page-class-sheet-air = Wie viel nimmt die Luft?
 page-class-sheet-gravity = Miss g mit einem Ball
+
+page-lesson-title = Was du fallen lässt
+page-lesson-name = Dein Name
+page-lesson-leave = Stunde verlassen
+page-lesson-who = Schreibe unten deinen Namen, dann gib den Versuch ab.
+page-lesson-make = Klasse: ein Link für alle
+page-lesson-make-hint = Wähle, was in der Stunde fällt. Die Seite fragt die Klasse dann nach Name, Ball, Untergrund und Höhe, sonst nach nichts.
+page-lesson-balls = Bälle
+page-lesson-surfaces = Untergründe, mit Komma getrennt
+page-lesson-heights = Fallhöhen in cm, mit Semikolon getrennt; keine, wenn sie gemessen werden sollen
+page-lesson-qr = QR-Code der Stunde
+page-hand-in = Abgeben
+page-hand-share = Teilen …
+page-hand-copy = Link kopieren
+page-hand-copied = Kopiert.
+page-scan = QR-Codes scannen
+page-scan-stop = Scannen beenden
+page-scan-refused = Die Kamera kann nicht benutzt werden. Erlaube sie in der Adressleiste, oder lass dir die Links schicken.
+page-class-all-balls = Ball der { $count } gewählten
+page-class-all-surfaces = Untergrund der { $count } gewählten
 
 page-reason-empty-content = Es sind keine Daten darin.
 page-reason-empty-sound = Sie hat einen Kopf, aber keinen Ton.

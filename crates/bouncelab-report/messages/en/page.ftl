@@ -286,7 +286,6 @@ page-keep-shared = The address with this set-up was copied.
 page-keep-share-by-hand = Copy this address:
 page-keep-report = Report (HTML)
 page-keep-link = Share this drop
-page-keep-link-by-hand = Open this address elsewhere, or point a phone at the code; it shows this drop, without its sound:
 page-keep-link-qr = QR code of the address of this drop
 
 page-simulate-title = Simulate a drop
@@ -462,6 +461,26 @@ page-class-sheets = Lesson sheets
 page-class-sheet-bounciness = How bouncy is a ball?
 page-class-sheet-air = How much does air take?
 page-class-sheet-gravity = Measure g with a ball
+
+page-lesson-title = What you drop
+page-lesson-name = Your name
+page-lesson-leave = leave the lesson
+page-lesson-who = Write your name below, then hand the drop in.
+page-lesson-make = Class: a link for all pupils
+page-lesson-make-hint = Choose what the lesson drops. The page of a pupil then asks for name, ball, surface and height, and nothing else.
+page-lesson-balls = Balls
+page-lesson-surfaces = Surfaces, with commas between them
+page-lesson-heights = Drop heights in cm, with semicolons between them; none if they are to be measured
+page-lesson-qr = QR code of the lesson
+page-hand-in = Hand in
+page-hand-share = Share …
+page-hand-copy = Copy the link
+page-hand-copied = Copied.
+page-scan = Scan QR codes
+page-scan-stop = Stop scanning
+page-scan-refused = The camera cannot be used. Allow it in the address bar, or let the links be sent.
+page-class-all-balls = Ball of the { $count } chosen
+page-class-all-surfaces = Surface of the { $count } chosen
 
 page-reason-empty-content = It contains no data.
 page-reason-empty-sound = It has a header, but no sound.

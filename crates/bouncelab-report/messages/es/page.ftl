@@ -287,7 +287,6 @@ page-keep-shared = Se copió la dirección con estos ajustes.
 page-keep-share-by-hand = Copia esta dirección:
 page-keep-report = Informe (HTML)
 page-keep-link = Compartir este ensayo
-page-keep-link-by-hand = Abre esta dirección en otra parte, o apunta al código con un teléfono; muestra este ensayo, sin su sonido:
 page-keep-link-qr = Código QR de la dirección de este ensayo
 
 page-simulate-title = Simular un ensayo
@@ -463,6 +462,26 @@ page-class-sheets = Hojas de trabajo
 page-class-sheet-bounciness = ¿Cuánto rebota una pelota?
 page-class-sheet-air = ¿Cuánto se lleva el aire?
 page-class-sheet-gravity = Medir g con una pelota
+
+page-lesson-title = Lo que dejas caer
+page-lesson-name = Tu nombre
+page-lesson-leave = salir de la clase
+page-lesson-who = Escribe abajo tu nombre y entrega el ensayo.
+page-lesson-make = Clase: un enlace para todos
+page-lesson-make-hint = Elige lo que se deja caer en la clase. La página del alumnado pide entonces nombre, pelota, superficie y altura, y nada más.
+page-lesson-balls = Pelotas
+page-lesson-surfaces = Superficies, separadas por comas
+page-lesson-heights = Alturas de caída en cm, separadas por punto y coma; ninguna si se van a medir
+page-lesson-qr = Código QR de la clase
+page-hand-in = Entregar
+page-hand-share = Compartir…
+page-hand-copy = Copiar el enlace
+page-hand-copied = Copiado.
+page-scan = Escanear códigos QR
+page-scan-stop = Dejar de escanear
+page-scan-refused = No se puede usar la cámara. Permítela en la barra de direcciones, o pide que te envíen los enlaces.
+page-class-all-balls = Pelota de los { $count } elegidos
+page-class-all-surfaces = Superficie de los { $count } elegidos
 
 page-reason-empty-content = No contiene datos.
 page-reason-empty-sound = Tiene una cabecera, pero ningún sonido.

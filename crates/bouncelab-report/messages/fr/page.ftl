@@ -287,7 +287,6 @@ page-keep-shared = L’adresse avec ces réglages a été copiée.
 page-keep-share-by-hand = Copie cette adresse :
 page-keep-report = Rapport (HTML)
 page-keep-link = Partager cet essai
-page-keep-link-by-hand = Ouvre cette adresse ailleurs, ou vise le code avec un téléphone ; elle montre cet essai, sans le son :
 page-keep-link-qr = Code QR de l’adresse de cet essai
 
 page-simulate-title = Simuler un essai
@@ -463,6 +462,26 @@ page-class-sheets = Fiches de travail
 page-class-sheet-bounciness = Comment une balle rebondit-elle ?
 page-class-sheet-air = Que prend l’air ?
 page-class-sheet-gravity = Mesurer g avec une balle
+
+page-lesson-title = Ce que tu fais tomber
+page-lesson-name = Ton nom
+page-lesson-leave = quitter le cours
+page-lesson-who = Écris ton nom ci-dessous, puis rends l’essai.
+page-lesson-make = Classe : un lien pour tous
+page-lesson-make-hint = Choisis ce que le cours fait tomber. La page d’un élève demande alors nom, balle, surface et hauteur, et rien d’autre.
+page-lesson-balls = Balles
+page-lesson-surfaces = Surfaces, séparées par des virgules
+page-lesson-heights = Hauteurs de chute en cm, séparées par des points-virgules ; aucune si elles sont à mesurer
+page-lesson-qr = Code QR du cours
+page-hand-in = Rendre
+page-hand-share = Partager…
+page-hand-copy = Copier le lien
+page-hand-copied = Copié.
+page-scan = Scanner des codes QR
+page-scan-stop = Arrêter
+page-scan-refused = La caméra ne peut pas être utilisée. Autorise-la dans la barre d’adresse, ou fais-toi envoyer les liens.
+page-class-all-balls = Balle des { $count } choisis
+page-class-all-surfaces = Surface des { $count } choisis
 
 page-reason-empty-content = Il ne contient aucune donnée.
 page-reason-empty-sound = Il a un en-tête, mais aucun son.

@@ -1,6 +1,8 @@
+import { computed, signal } from '@preact/signals';
+import { Choice } from '../../app/Choice.tsx';
 import { handFocusOn } from '../../app/focus.ts';
 import { estimated, LENGTH, NUMBER, rounded } from '../../format/quantity.ts';
-import { ballOf, presetOf } from '../../state/comparing.ts';
+import { areAlike, ballOf, presetOf } from '../../state/comparing.ts';
 import { catalogue } from '../../state/engine.ts';
 import { alter, kept, openKept, remove, stateBallOf, tick, ticked } from '../../state/keeping.ts';
 import { spreadOf } from '../../state/spread.ts';
@@ -8,6 +10,54 @@ import { busy } from '../../state/workspace.ts';
 import type { KeptDrop } from '../../store/drops.ts';
 import { language, region, text } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';
+
+/** The columns that the table can be sorted by, and what of a drop counts. */
+const SORTED = {
+  name: (drop: KeptDrop) => drop.name,
+  e: (drop: KeptDrop) => drop.restitution?.value ?? Number.NEGATIVE_INFINITY,
+  h: (drop: KeptDrop) => drop.dropHeightM?.value ?? Number.NEGATIVE_INFINITY,
+  when: (drop: KeptDrop) => drop.keptAt,
+  ball: ballOf,
+  surface: (drop: KeptDrop) => drop.surface,
+  student: (drop: KeptDrop) => drop.student,
+} as const;
+type Column = keyof typeof SORTED;
+
+/** The column that it is sorted by, and whether from its end; as it was kept at first. */
+const order = signal<{ readonly column: Column; readonly isReversed: boolean }>({
+  column: 'when',
+  isReversed: false,
+});
+
+const sorted = computed(() => {
+  const { column, isReversed } = order.value;
+  const keyOf = SORTED[column];
+  const compare = (a: string | number, b: string | number): number =>
+    typeof a === 'string'
+      ? a.localeCompare(String(b), language.value, { numeric: true })
+      : a - Number(b);
+  const rows = kept.value.toSorted((a, b) => compare(keyOf(a), keyOf(b)));
+  return isReversed ? rows.reverse() : rows;
+});
+
+function Head({ column, id, figure = false }: { column: Column; id: string; figure?: boolean }) {
+  const isChosen = order.value.column === column;
+  const direction = order.value.isReversed ? 'descending' : 'ascending';
+  return (
+    <th class={figure ? 'figure' : undefined} aria-sort={isChosen ? direction : undefined}>
+      <button
+        type="button"
+        class="sort"
+        onClick={() => {
+          order.value = { column, isReversed: isChosen && !order.value.isReversed };
+        }}
+      >
+        {text(id)}
+        {isChosen && <span aria-hidden="true">{order.value.isReversed ? ' ↓' : ' ↑'}</span>}
+      </button>
+    </th>
+  );
+}
 
 /** One row for each drop, and their mean and scatter. */
 export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
@@ -17,23 +67,23 @@ export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) 
         <thead>
           <tr>
             <th>{text('page-drops-compare')}</th>
-            <th>{text('page-drops-name')}</th>
-            <th class="figure">{text('page-drops-e')}</th>
-            <th class="figure">{text('page-drops-h')}</th>
-            <th>{text('page-drops-when')}</th>
-            <th>{text('page-drops-ball')}</th>
-            <th>{text('page-class-surface')}</th>
-            <th>{text('page-class-student')}</th>
+            <Head column="name" id="page-drops-name" />
+            <Head column="e" id="page-drops-e" figure />
+            <Head column="h" id="page-drops-h" figure />
+            <Head column="when" id="page-drops-when" />
+            <Head column="ball" id="page-drops-ball" />
+            <Head column="surface" id="page-class-surface" />
+            <Head column="student" id="page-class-student" />
             <th class="figure">{text('page-drops-impacts')}</th>
             <th>{text('page-drops-actions')}</th>
           </tr>
         </thead>
         <tbody>
-          {kept.value.map((drop) => (
+          {sorted.value.map((drop) => (
             <Row key={drop.id} drop={drop} />
           ))}
         </tbody>
-        {chosen.length > 1 && <Summary chosen={chosen} />}
+        {chosen.length > 1 && areAlike(chosen) && <Summary chosen={chosen} />}
       </table>
     </section>
   );
@@ -162,5 +212,38 @@ function Summary({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
         <td colSpan={6} />
       </tr>
     </tfoot>
+  );
+}
+
+/** States ball and surface of all ticked drops at once. */
+export function Bulk() {
+  const chosen = kept.value.filter(({ id }) => ticked.value.has(id));
+  if (chosen.length === 0) return null;
+  return (
+    <div class="measures">
+      <Choice
+        label={text('page-class-all-balls', { count: chosen.length })}
+        value=""
+        options={[
+          ['', '…'],
+          ...(catalogue.value?.balls ?? []).map(({ name }) => [name, ballName(name)] as const),
+        ]}
+        onChange={async (ball) => {
+          if (ball !== '') for (const drop of chosen) await stateBallOf(drop, ball);
+        }}
+      />
+      <div class="field">
+        <label for="all-surfaces">
+          {text('page-class-all-surfaces', { count: chosen.length })}
+        </label>
+        <input
+          id="all-surfaces"
+          maxLength={60}
+          onChange={async ({ currentTarget: { value } }) => {
+            for (const { id } of chosen) await alter(id, { surface: value.trim() });
+          }}
+        />
+      </div>
+    </div>
   );
 }

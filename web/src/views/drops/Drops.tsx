@@ -4,6 +4,7 @@ import { Lasting } from '../../app/Lasting.tsx';
 import { Rich } from '../../app/Rich.tsx';
 import { CommaTick } from '../../app/Tick.tsx';
 import { estimated, PERCENT, rounded } from '../../format/quantity.ts';
+import { areAlike } from '../../state/comparing.ts';
 import {
   bringBack,
   canKeep,
@@ -18,10 +19,11 @@ import { spreadOf } from '../../state/spread.ts';
 import { language, parts, text } from '../../text/language.ts';
 import { Archive } from './Archive.tsx';
 import { Comparison } from './Comparison.tsx';
-import { DropTable } from './DropTable.tsx';
+import { Bulk, DropTable } from './DropTable.tsx';
 import { saveDropsCsv, saveDropsJson } from './export.ts';
 import { Gather } from './Gather.tsx';
 import { Groups } from './Groups.tsx';
+import { LessonMaker } from './LessonMaker.tsx';
 import { Sheets } from './Sheets.tsx';
 
 /** The drops that were kept, side by side. */
@@ -34,6 +36,8 @@ export function Drops() {
       <h1>{text('page-drops-title')}</h1>
       {!canKeep.value && <p class="notice">{text('page-drops-unavailable')}</p>}
       <Undo />
+      <LessonMaker />
+      {canKeep.value && <Gather />}
       {kept.value.length === 0 ? (
         <>
           <p class="lead soft">{text('page-drops-empty')}</p>
@@ -47,6 +51,7 @@ export function Drops() {
         <>
           <Scatter />
           <DropTable chosen={chosen} />
+          <Bulk />
           <div class="row">
             <button type="button" class="quiet" onClick={() => saveDropsCsv(kept.peek())}>
               {text('page-drops-csv')}
@@ -74,7 +79,6 @@ export function Drops() {
           <Comparison drops={chosen} />
         </>
       )}
-      {canKeep.value && <Gather />}
       <Sheets />
     </div>
   );
@@ -111,6 +115,8 @@ function Undo() {
 function Scatter() {
   const spoken = language.value;
   const chosen = compared.value;
+  // The mean of unlike balls is that of none.
+  if (!areAlike(chosen)) return null;
   const spread = spreadOf(chosen.map(({ restitution }) => restitution));
   if (!spread || spread.scatter === null) return null;
   const points = (value: number): string => rounded(value, 2, PERCENT, spoken);

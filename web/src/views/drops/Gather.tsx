@@ -4,6 +4,7 @@ import { FaultNotice } from '../../app/FaultNotice.tsx';
 import { FileButton } from '../../app/FileButton.tsx';
 import { type Gathered, gather } from '../../state/gathering.ts';
 import { text } from '../../text/language.ts';
+import { Scanner } from './Scanner.tsx';
 
 /** The file that is read now, and the results; files may also be dropped anywhere on the page. */
 const reading = signal<string | null>(null);
@@ -48,6 +49,7 @@ export function Gather() {
           {text('page-class-files')}
         </FileButton>
       </div>
+      <Scanner onDrop={(link) => gatherHere([], link)} />
       <label class="field" for="links">
         {text('page-drops-links')}
       </label>

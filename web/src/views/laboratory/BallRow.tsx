@@ -2,6 +2,7 @@ import { computed } from '@preact/signals';
 import { useState } from 'preact/hooks';
 import { NumberField } from '../../app/NumberField.tsx';
 import { catalogue } from '../../state/engine.ts';
+import { lesson } from '../../state/lesson.ts';
 import { change, chooseBall, isOwnBall, settings } from '../../state/settings.ts';
 import { text } from '../../text/language.ts';
 import { ballName, UNSTATED } from '../../text/names.ts';
@@ -41,6 +42,8 @@ const OF_MANY_SIZES = new Set(['rubber', 'marble', 'steel']);
 /** Each choice by its name and diameter; what is no ball of a known size is drawn as large as a tennis ball. */
 const choices = computed(() => {
   const balls = [...(catalogue.value?.balls ?? [])].sort((a, b) => placeOf(a) - placeOf(b));
+  const ofLesson = balls.filter(({ name }) => lesson.value?.balls.includes(name));
+  if (ofLesson.length > 0) return ofLesson;
   const choice = (name: string) => ({ name, diameter_m: 0.066 });
   return balls.length === 0 ? [] : [...balls, choice(OTHER), choice(UNSTATED)];
 });

@@ -10,6 +10,7 @@ import type { Recording } from '../../lab/index.ts';
 import { request } from '../../state/analysing.ts';
 import { engine } from '../../state/engine.ts';
 import { keepDrop } from '../../state/keeping.ts';
+import { lesson, pupil } from '../../state/lesson.ts';
 import { settings } from '../../state/settings.ts';
 import { analysed, chosenDrop, drop, edits, workspace } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
@@ -21,8 +22,9 @@ export function Keep() {
   const recording = workspace.value;
   const [named, setNamed] = useState<{ readonly of: unknown; readonly name: string }>();
   if (!recording) return null;
-  const stem = fileName(recording.name);
   const given = named?.of === recording.recording ? named.name.trim() : '';
+  const name = given || pupil().name || recording.name;
+  const stem = fileName(name);
   return (
     <section class="stack keep no-print" aria-label={text('page-keep-title')}>
       {drop.value && <KeepForm onName={(name) => setNamed({ of: recording.recording, name })} />}
@@ -30,36 +32,36 @@ export function Keep() {
         <SaveSound />
         {drop.value && (
           <>
-            <button type="button" class="quiet" onClick={() => void saveTable(stem)}>
+            <button type="button" class="quiet" onClick={() => void saveTable(name)}>
               {text('page-keep-csv')}
             </button>
             <button type="button" class="quiet" onClick={() => saveJson(stem)}>
               {text('page-keep-json')}
             </button>
-            <button type="button" class="quiet" onClick={() => void saveReport(stem)}>
+            <button type="button" class="quiet" onClick={() => void saveReport(name)}>
               {text('page-keep-report')}
             </button>
           </>
         )}
         <Share />
-        {drop.value && <DropLink name={given || recording.name} />}
+        {drop.value && !lesson.value && <DropLink name={name} label={text('page-keep-link')} />}
         {drop.value && <CommaTick />}
       </div>
     </section>
   );
 }
 
-async function saveTable(stem: string): Promise<void> {
+async function saveTable(name: string): Promise<void> {
   const asked = request();
-  if (asked) saveCsv(await engine().csv(asked), `${stem}.csv`);
+  if (asked) saveCsv(await engine().csv({ ...asked, name }), `${fileName(name)}.csv`);
 }
 
 /** One file to print, send or hand in: as the command line writes it, in the language of the page. */
-async function saveReport(stem: string): Promise<void> {
+async function saveReport(name: string): Promise<void> {
   const [asked, loaded] = [request(), workspace.peek()];
   if (!asked || !loaded) return;
-  const html = await engine().report(loaded.recording, asked, new Date());
-  saveText(html, 'text/html', `${stem}.html`);
+  const html = await engine().report(loaded.recording, { ...asked, name }, new Date());
+  saveText(html, 'text/html', `${fileName(name)}.html`);
 }
 
 /** The document of the command line, as it is. */
@@ -82,10 +84,9 @@ function KeepForm({ onName }: { readonly onName: (name: string) => void }) {
   const loaded = workspace.value;
   if (!loaded) return null;
   const [index, count] = [chosenDrop.value, edits.value.length];
+  const whose = pupil().name || loaded.name;
   const name =
-    count > 1
-      ? `${loaded.name}, ${text('page-lab-drop-of', { index: index + 1, count })}`
-      : loaded.name;
+    count > 1 ? `${whose}, ${text('page-lab-drop-of', { index: index + 1, count })}` : whose;
   const attempt = last?.recording === loaded.recording && last.drop === index ? last : undefined;
   return (
     <form

@@ -2,12 +2,12 @@ import { busy, workspace } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 import { Answer } from './Answer.tsx';
 import { AtRest } from './AtRest.tsx';
-import { BallRow } from './BallRow.tsx';
 import { Explained } from './Explained.tsx';
 import { FigureTabs } from './FigureTabs.tsx';
 import { Keep } from './Keep.tsx';
 import { ListenBar } from './ListenBar.tsx';
 import { LiveStrip } from './LiveStrip.tsx';
+import { HandIn, Pupil } from './Pupil.tsx';
 import { SettingsLine } from './SettingsLine.tsx';
 import { Troubles } from './Troubles.tsx';
 import { WaveEditor } from './WaveEditor.tsx';
@@ -21,6 +21,7 @@ export function Laboratory() {
       <h1 class="unseen">{text('page-app-title')}</h1>
       <Troubles />
       {busy.value ? <LiveStrip /> : <Answer />}
+      {!busy.value && <HandIn />}
       <ListenBar />
       {!busy.value && <Workspace />}
     </div>
@@ -31,7 +32,7 @@ function Workspace() {
   return (
     <>
       <WaveEditor />
-      <BallRow />
+      <Pupil />
       <div class="workspace">
         <Explained />
         <FigureTabs />

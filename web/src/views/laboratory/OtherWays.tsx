@@ -1,5 +1,6 @@
 import { FileButton } from '../../app/FileButton.tsx';
 import { ENDINGS } from '../../lab/engine/types.ts';
+import { lesson } from '../../state/lesson.ts';
 import { openDemo, openFile } from '../../state/opening.ts';
 import { busy } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
@@ -8,7 +9,7 @@ import { PASTE, pasting } from './pasting.ts';
 /** Telephones go by the kind of a file, other systems by the ending of its name. */
 const ACCEPT = ['audio/*', 'video/*', ...ENDINGS.map((ending) => `.${ending}`)].join();
 
-/** A file, a list of times, the demo: three quiet links. */
+/** A file, a list of times, the demo: three quiet links; in a lesson a file only. */
 export function OtherWays() {
   return (
     <div class="links">
@@ -22,6 +23,14 @@ export function OtherWays() {
       >
         {text('page-lab-open')}
       </FileButton>
+      {!lesson.value && <Others />}
+    </div>
+  );
+}
+
+function Others() {
+  return (
+    <>
       <button
         type="button"
         id={PASTE}
@@ -37,6 +46,6 @@ export function OtherWays() {
       <button type="button" class="quiet" disabled={busy.value} onClick={() => void openDemo()}>
         {text('page-lab-demo')}
       </button>
-    </div>
+    </>
   );
 }

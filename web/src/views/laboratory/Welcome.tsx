@@ -1,10 +1,11 @@
+import { lesson } from '../../state/lesson.ts';
 import { handheld } from '../../style/media.ts';
 import { text } from '../../text/language.ts';
 import { AtRest } from './AtRest.tsx';
-import { BallRow } from './BallRow.tsx';
 import { ListenButton } from './ListenButton.tsx';
 import { OtherWays } from './OtherWays.tsx';
 import { Paste } from './Paste.tsx';
+import { Pupil } from './Pupil.tsx';
 import { pasting } from './pasting.ts';
 import { SetUp } from './SetUp.tsx';
 import { Troubles } from './Troubles.tsx';
@@ -15,9 +16,9 @@ export function Welcome() {
     <div class="welcome">
       <h1>{handheld ? text('page-lab-invite-touch') : text('page-lab-invite')}</h1>
       <ListenButton />
-      <BallRow />
+      <Pupil />
       <OtherWays />
-      <AtRest />
+      {!lesson.value && <AtRest />}
       <Troubles />
       <SetUp />
       {pasting.value && <Paste />}
