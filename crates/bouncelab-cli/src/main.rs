@@ -9,6 +9,8 @@ mod interrupt;
 mod language;
 mod listen;
 mod manual;
+#[cfg(feature = "serve")]
+mod page;
 mod paper;
 mod report;
 mod rules;
@@ -71,6 +73,8 @@ enum Command {
     Manual(manual::ManualArguments),
     #[cfg(feature = "serve")]
     Serve(serve::Arguments),
+    #[cfg(feature = "serve")]
+    Page(page::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -112,5 +116,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Manual(arguments) => manual::manual(&arguments),
         #[cfg(feature = "serve")]
         Command::Serve(arguments) => serve::run(&arguments),
+        #[cfg(feature = "serve")]
+        Command::Page(arguments) => page::run(&arguments),
     }
 }

@@ -65,19 +65,13 @@ const HEADERS: [(&str, &str); 6] = [
     ),
     ("x-content-type-options", "nosniff"),
     ("referrer-policy", "no-referrer"),
-    ("permissions-policy", "microphone=(self)"),
+    ("permissions-policy", "camera=(self), microphone=(self)"),
     ("cross-origin-opener-policy", "same-origin"),
     ("cross-origin-resource-policy", "same-origin"),
 ];
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    if Page::get("index.html").is_none() {
-        return Err(Failure::Input(
-            "this program was built without the page: run `cargo xtask web` first, then build it \
-             again with --features serve"
-                .to_owned(),
-        ));
-    }
+    files()?;
     let listeners = bind(arguments.port)?;
     let port = listeners[0].local_addr()?.port();
     // By its name, not its number: browsers trust "localhost" with the microphone.
@@ -96,6 +90,23 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let served = serve(listeners, &LIMITS);
     served.map_err(|reason| Failure::Input(format!("cannot serve any longer: {reason}")))
+}
+
+/// Every file of the page: its name, with folders, and its content.
+pub(crate) fn files() -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let named = Page::iter().filter_map(|name| {
+        let file = Page::get(&name)?;
+        Some((name.into_owned(), file.data.into_owned()))
+    });
+    let files: Vec<_> = named.collect();
+    if files.iter().any(|(name, _)| name == "index.html") {
+        return Ok(files);
+    }
+    Err(Failure::Input(
+        "this program was built without the page: run `cargo xtask web` first, then build it again \
+         with --features serve"
+            .to_owned(),
+    ))
 }
 
 /// Takes the port in both families of addresses to which "localhost" leads; 0 is any.

@@ -289,3 +289,4 @@ session-restitution = Stoßzahl
 
 serve-address = Das Labor ist auf { $address } (Strg-C beendet es)
 serve-no-browser = kein Browser ließ sich öffnen ({ $reason }); öffne { $address } selbst
+page-written = { $files } Dateien liegen in { $folder }. Liefert ein Server sie mit https aus, dürfen Handys ihr Mikrofon benutzen.

@@ -291,3 +291,4 @@ session-restitution = Restitution
 
 serve-address = The laboratory is at { $address } (Ctrl-C ends it)
 serve-no-browser = no browser could be opened ({ $reason }); go to { $address } yourself
+page-written = { $files } files are in { $folder }. A server that sends them by https gives phones the microphone.

@@ -290,3 +290,4 @@ session-restitution = Restitución
 
 serve-address = El laboratorio está en { $address } (Ctrl-C lo termina)
 serve-no-browser = no se pudo abrir ningún navegador ({ $reason }); abra { $address } usted
+page-written = Hay { $files } archivos en { $folder }. Si un servidor los envía por https, los teléfonos pueden usar el micrófono.

@@ -290,3 +290,4 @@ session-restitution = Restitution
 
 serve-address = Le laboratoire est à l’adresse { $address } (Ctrl-C l’arrête)
 serve-no-browser = aucun navigateur n’a pu être ouvert ({ $reason }) ; ouvrez { $address } vous-même
+page-written = { $files } fichiers sont dans { $folder }. Si un serveur les envoie en https, les téléphones peuvent utiliser le microphone.

@@ -1,0 +1,50 @@
+//! `bouncelab page`: the browser laboratory as files, for any web server.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::language::text_with;
+use crate::serve;
+use crate::terminal::print;
+
+/// Write the browser laboratory into a folder, for any web server
+///
+/// The files are static and work in any folder of a server. Browsers give the microphone only to
+/// pages that are served by https. Files of the page that are in the folder are replaced, others
+/// stay.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    /// Folder to write into; it is made if it does not exist
+    #[arg(value_name = "FOLDER")]
+    folder: PathBuf,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  bouncelab page public_html/bounce";
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let files = serve::files()?;
+    let folder = &arguments.folder;
+    // The page begins with the file that the others are needed for.
+    let (last, others): (Vec<_>, Vec<_>) = files.iter().partition(|(name, _)| name == "index.html");
+    for (name, content) in others.into_iter().chain(last) {
+        write(&folder.join(name), content)?;
+    }
+    let of = [
+        ("files", files.len().into()),
+        ("folder", folder.display().to_string().into()),
+    ];
+    print(format_args!("{}\n", text_with("page-written", &of)))?;
+    Ok(())
+}
+
+fn write(path: &Path, content: &[u8]) -> Result<(), Failure> {
+    let folder = path.parent().unwrap_or(path);
+    fs::create_dir_all(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
+    fs::write(path, content).map_err(|reason| Failure::unwritable(path, &reason))
+}
