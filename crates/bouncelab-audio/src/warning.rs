@@ -61,12 +61,13 @@ pub enum Warning {
         /// Time of the change.
         at_s: f64,
     },
-    /// The sample rate in the header contradicts the number of bytes per second in it.
+    /// The sample rate in the header contradicts the number of bytes per second in it, or is unusual and nothing
+    /// confirms it.
     RateInDoubt {
         /// The stated rate, which is used, in Hz.
         stated_hz: u32,
-        /// The rate that follows from the bytes per second, in Hz.
-        implied_hz: f64,
+        /// The rate that follows from the bytes per second, in Hz, if the header has them.
+        implied_hz: Option<f64>,
     },
     /// The edit list plays parts of the sound out of order or at another speed. It was ignored:
     /// the sound is presented as recorded.
@@ -146,9 +147,13 @@ impl Warning {
             Self::RateInDoubt {
                 stated_hz,
                 implied_hz,
-            } => new(Code::RateInDoubt)
-                .with("stated_hz", f64::from(stated_hz))
-                .with("implied_hz", implied_hz),
+            } => {
+                let doubt = new(Code::RateInDoubt).with("stated_hz", f64::from(stated_hz));
+                match implied_hz {
+                    Some(implied_hz) => doubt.with("implied_hz", implied_hz),
+                    None => doubt,
+                }
+            }
             Self::EditsIgnored => new(Code::EditListIgnored),
         }
     }

@@ -226,7 +226,7 @@ codes! {
     // Of the file that holds the recording.
     /// The file cannot be read.
     FileUnreadable = "file-unreadable", Error, [];
-    /// The file ends before its header says, or in the middle of something.
+    /// The file ends before its header says, or in the middle of something, or holds more sound than its header counts.
     FileTruncated = "file-truncated", Warning, ["read_s", "expected_s?"];
     /// Samples are not numbers and were replaced by zero.
     SamplesNotFinite = "samples-not-finite", Warning, ["samples", "first_s"];
@@ -236,12 +236,12 @@ codes! {
     ClockLost = "clock-lost", Warning, ["places", "first_s"];
     /// The sound is exactly zero for a while, and not elsewhere: it may have been lost or overwritten.
     SoundBlank = "sound-blank", Warning, ["places", "first_s", "blank_s"];
-    /// The decoded sound does not match the checksum of the file, somewhere in this interval.
+    /// The decoded sound does not match the checksum or the counts of the file, somewhere in this interval.
     ChecksumWrong = "checksum-wrong", Warning, ["start_s", "end_s"];
     /// The rate or number of channels changes; the recording was read up to there.
     FormatChanges = "format-changes", Warning, ["at_s"];
-    /// The header of the file states one rate and, by its bytes a second, another.
-    RateInDoubt = "rate-in-doubt", Warning, ["stated_hz", "implied_hz"];
+    /// The header of the file states one rate and, by its bytes a second, another; or an unusual one that nothing confirms.
+    RateInDoubt = "rate-in-doubt", Warning, ["stated_hz", "implied_hz?"];
     /// The edit list of the file was ignored.
     EditListIgnored = "edit-list-ignored", Info, [];
 

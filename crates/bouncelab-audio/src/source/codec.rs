@@ -216,12 +216,12 @@ pub(super) fn opus_head(params: &AudioCodecParameters) -> Result<opus::Head, Str
     opus::Head::parse(params.extra_data.as_deref().unwrap_or_default())
 }
 
-/// Whether a run of identical values is too long for the samples or bytes of noisy sound.
-pub(super) fn has_run<T: PartialEq>(values: &[T], value: &T) -> bool {
+/// Number of runs of one value that are too long for the samples or bytes of noisy sound.
+pub(super) fn runs<T: PartialEq>(values: &[T], value: &T) -> usize {
     /// Length of such a run, in values.
     const MIN_RUN: usize = 64;
-    let mut runs = values.split(|other| other != value);
-    runs.any(|run| run.len() >= MIN_RUN)
+    let runs = values.split(|other| other != value);
+    runs.filter(|run| run.len() >= MIN_RUN).count()
 }
 
 /// Whether the codec is lossless and has no checksum that would show damage: PCM and ALAC.
@@ -252,6 +252,38 @@ pub(super) fn name(codec: AudioCodecId) -> &'static str {
         CODEC_ID_ADPCM_MS | CODEC_ID_ADPCM_IMA_WAV | CODEC_ID_ADPCM_IMA_QT => "ADPCM",
         id if (CODEC_ID_PCM_S32LE..CODEC_ID_PCM_F32LE).contains(&id) => "PCM",
         CODEC_ID_NULL_AUDIO => "an unknown codec",
+        _ => "another codec",
+    }
+}
+
+/// The name of a codec that is not decoded, from the four letters of MP4 and its relatives.
+pub(super) fn name_of_four_letters(letters: [u8; 4]) -> String {
+    match &letters {
+        b"samr" => "AMR".to_owned(),
+        b"sawb" => "AMR-WB".to_owned(),
+        b"sevc" => "EVRC".to_owned(),
+        b"sqcp" => "QCELP".to_owned(),
+        b"ac-3" => name(CODEC_ID_AC3).to_owned(),
+        b"ec-3" => name(CODEC_ID_EAC3).to_owned(),
+        b"enca" => "encrypted sound".to_owned(),
+        letters => format!("the codec {:?}", letters.escape_ascii().to_string()),
+    }
+}
+
+/// The name of a codec by its number in WAV and AVI (`WAVEFORMATEX`).
+pub(super) fn name_of_number(number: u16) -> &'static str {
+    match number {
+        1 => "PCM",
+        2 | 0x11 => "ADPCM",
+        3 => "floating point",
+        6 => "A-law",
+        7 => "mu-law",
+        0x50 => "MP2",
+        0x55 => "MP3",
+        0xff => "AAC",
+        0x160 | 0x161 => "WMA",
+        0x2000 => "AC-3",
+        0x2001 => "DTS",
         _ => "another codec",
     }
 }

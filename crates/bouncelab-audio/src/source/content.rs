@@ -2,12 +2,15 @@
 
 use std::io::{self, Read, Seek, SeekFrom};
 
+use super::codec;
 use crate::formats::SoundFormat;
 use crate::problem::LooksLike;
 
 /// What a file is according to its first bytes.
 pub(super) enum Content {
     Sound(SoundFormat),
+    /// A video with sound in this codec, which is not read.
+    Avi(&'static str),
     Other(LooksLike),
     Nothing,
 }
@@ -32,9 +35,30 @@ pub(super) fn identify<S: Read + Seek + ?Sized>(source: &mut S) -> io::Result<Co
             // Programs that write tags pad them: zeros follow a tag as often as the first frame does.
             None if start > 0 => Content::Sound(SoundFormat::Mp3),
             None if head.is_empty() => Content::Nothing,
+            None if head.starts_with(b"RIFF") && head.get(8..12) == Some(b"AVI ") => {
+                avi(&mut *source)?
+            }
             None => Content::Other(looks_like(&head)),
         });
     }
+}
+
+/// An AVI with the codec of its sound, whose description follows the header of the stream with the name `auds`.
+fn avi<S: Read + ?Sized>(source: &mut S) -> io::Result<Content> {
+    /// Number of bytes that contain the headers of all streams.
+    const HEADERS: u64 = 1 << 16;
+    let mut bytes = Vec::new();
+    source.take(HEADERS).read_to_end(&mut bytes)?;
+    let after = |bytes: &[u8], name: &[u8], skip: usize| {
+        let at = bytes.windows(name.len()).position(|it| it == name)?;
+        bytes.get(at + name.len() + skip..).map(<[u8]>::to_vec)
+    };
+    let description = after(&bytes, b"auds", 0).and_then(|stream| after(&stream, b"strf", 4));
+    let number = description.and_then(|it| it.first_chunk().copied());
+    Ok(match number {
+        Some(number) => Content::Avi(codec::name_of_number(u16::from_le_bytes(number))),
+        None => Content::Other(LooksLike::Riff),
+    })
 }
 
 fn read_head<S: Read + ?Sized>(source: &mut S) -> io::Result<Vec<u8>> {

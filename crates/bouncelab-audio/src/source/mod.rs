@@ -1,13 +1,15 @@
 //! A recording as a stream of blocks of samples.
 
 mod alac;
+mod apple;
 mod blank;
+mod chunks;
 mod codec;
 mod content;
-mod edits;
 mod framing;
 mod input;
 mod lost;
+mod movie;
 mod opus;
 mod presentation;
 mod track;
@@ -24,6 +26,7 @@ use bouncelab::Plain;
 use bouncelab::analysis::Gap;
 
 use self::blank::Blanks;
+use self::chunks::{Header, RateDoubt};
 use self::codec::{Layout, MAX_CHANNELS};
 use self::content::Content;
 use self::input::MediaInput;
@@ -205,6 +208,13 @@ impl SoundReader {
         let mut reader = MediaInput::new(reader).map_err(fail)?;
         let container = match content::identify(&mut reader).map_err(fail)? {
             Content::Sound(container) => container,
+            Content::Avi(codec) => {
+                return Err(Error::UnsupportedCodec {
+                    name: name.to_owned(),
+                    format: "AVI",
+                    codec: codec.to_owned(),
+                });
+            }
             Content::Other(looks_like) => {
                 return Err(Error::NotSound {
                     name: name.to_owned(),
@@ -219,23 +229,29 @@ impl SoundReader {
             }
         };
         reader.set_stream(container.is_stream());
-        let mut header = wave::Header::default();
-        if container == SoundFormat::Wav {
-            let start = reader.stream_position().map_err(fail)?;
-            header = wave::header(&mut reader).map_err(fail)?;
-            match header.mended.take() {
-                Some(wave) => reader.read_behind(wave.header, wave.sound),
-                None => reader.seek(SeekFrom::Start(start)).map(drop),
-            }
-            .map_err(fail)?;
-        }
-        let surveyed = framing::survey(container, &mut reader).map_err(fail)?;
-        let mut framing = surveyed.ok_or_else(|| Error::Malformed {
+        let start = reader.stream_position().map_err(fail)?;
+        let mut header = match container {
+            SoundFormat::Wav => wave::header(&mut reader).map_err(fail)?,
+            SoundFormat::Aiff | SoundFormat::Caf => apple::header(&mut reader).map_err(fail)?,
+            _ => Header::default(),
+        };
+        let malformed = |stage, detail| Error::Malformed {
             name: name.to_owned(),
             format: container.name(),
-            stage: Stage::Sound,
-            detail: "it is damaged in too many places".to_owned(),
-        })?;
+            stage,
+            detail,
+        };
+        if let Some(contradiction) = header.contradiction.take() {
+            return Err(malformed(Stage::Header, contradiction));
+        }
+        match header.mended.take() {
+            Some(wave) => reader.read_behind(wave.header, wave.sound),
+            None => reader.seek(SeekFrom::Start(start)).map(drop),
+        }
+        .map_err(fail)?;
+        let surveyed = framing::survey(container, &mut reader).map_err(fail)?;
+        let damaged = || "it is damaged in too many places".to_owned();
+        let mut framing = surveyed.ok_or_else(|| malformed(Stage::Sound, damaged()))?;
         framing.is_cut |= header.is_unfinished;
         if let Some(sound) = framing.sound.take() {
             reader.read_only(sound).map_err(fail)?;
@@ -245,10 +261,13 @@ impl SoundReader {
         for gap in lost_chunk::decode(&header.lost, source.sample_rate_hz()) {
             source.note_gap(gap);
         }
-        if let Some(implied_hz) = header.other_rate_hz {
+        if let Some(doubt) = header.rate_doubt {
             source.warnings.push(Warning::RateInDoubt {
                 stated_hz: source.sample_rate_hz(),
-                implied_hz,
+                implied_hz: match doubt {
+                    RateDoubt::Contradicted(implied_hz) => Some(implied_hz),
+                    RateDoubt::Unusual => None,
+                },
             });
         }
         Ok(source)

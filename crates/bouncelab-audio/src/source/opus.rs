@@ -3,7 +3,7 @@
 use opus_pure::OpusDecoder;
 use symphonia::core::errors::{Error, Result as SymphoniaResult};
 
-use super::codec::has_run;
+use super::codec::runs;
 
 /// Sample rate of the decoded sound in Hz, whatever the rate of the microphone was.
 pub(super) const SAMPLE_RATE_HZ: u16 = 48_000;
@@ -85,7 +85,7 @@ impl Decoder {
         }
         // Only padding, which the first two bytes announce (RFC 6716 section 3.2.5), is a run of zeros.
         let is_padded = packet[0] & 3 == 3 && packet.get(1).is_some_and(|count| count & 0x40 != 0);
-        if has_run(packet, &0) && !is_padded {
+        if runs(packet, &0) > 0 && !is_padded {
             return Err(Error::DecodeError("overwritten Opus packet"));
         }
         let channels = self.head.channels;

@@ -5,7 +5,8 @@ use std::io::{self, SeekFrom};
 
 use symphonia::core::codecs::CodecParameters;
 use symphonia::core::codecs::audio::AudioCodecParameters;
-use symphonia::core::codecs::audio::well_known::{CODEC_ID_MP3, CODEC_ID_OPUS};
+use symphonia::core::codecs::audio::CODEC_ID_NULL_AUDIO;
+use symphonia::core::codecs::audio::well_known::{CODEC_ID_ALAC, CODEC_ID_MP3, CODEC_ID_OPUS};
 use symphonia::core::errors::Error as SymphoniaError;
 use symphonia::core::formats::{FormatReader, Track as TrackInfo, TrackFlags, TrackType};
 use symphonia::core::io::MediaSource;
@@ -14,9 +15,9 @@ use symphonia::core::packet::Packet;
 use symphonia::core::units::{Duration, TimeBase};
 
 use super::codec::{self, Decoder, Layout, MAX_PACKET_FRAMES, Refusal};
-use super::edits::{self, Edit};
 use super::framing::{Framing, Missing};
 use super::lost::{Clock, Lost};
+use super::movie::{self, Edit, MovieTrack};
 use super::presentation::Presentation;
 use crate::contain::{contain_decoder, is_panic};
 use crate::error::{Error, Result};
@@ -90,16 +91,16 @@ impl Track {
         mut framing: Framing,
         name: &str,
     ) -> Result<Self> {
-        let mut edits = Vec::new();
+        let mut movie = Vec::new();
         if container.has_edit_lists() {
-            edits = edits::read(&mut source);
+            movie = movie::read(&mut source);
             source
                 .seek(SeekFrom::Start(0))
                 .map_err(|reason| Error::io(name, reason))?;
         }
         let mut reader = open_reader(container, source, name)?;
-        let (info, params, decoder) = choose(reader.tracks(), container, name)?;
-        let own_edits = edits.into_iter().find(|track| track.track_id == info.id);
+        let (info, params, decoder) = choose(reader.tracks(), container, &movie, name)?;
+        let own_edits = movie.into_iter().find(|track| track.track_id == info.id);
         let is_own = |track: Option<u32>| track.is_none_or(|track| track == info.id);
         framing.breaks.retain(|missing| is_own(missing.track));
         // They are taken from the end of the list.
@@ -479,6 +480,7 @@ fn parse_itunes_gapless(text: &str) -> Option<Presentation> {
 fn choose(
     tracks: &[TrackInfo],
     container: SoundFormat,
+    movie: &[MovieTrack],
     name: &str,
 ) -> Result<(TrackInfo, AudioCodecParameters, Decoder)> {
     let mut audio: Vec<_> = tracks
@@ -491,12 +493,31 @@ fn choose(
         let Some(CodecParameters::Audio(params)) = &info.codec_params else {
             continue;
         };
-        let made = contain_decoder(|| Ok(Decoder::new(params)))
+        let mut params = params.clone();
+        let entry = movie.iter().find(|track| track.track_id == info.id);
+        let entry = entry.and_then(|track| track.sound.as_ref());
+        if let Some(setup) = entry.and_then(|entry| entry.alac.as_ref())
+            && params.codec == CODEC_ID_NULL_AUDIO
+        {
+            params.codec = CODEC_ID_ALAC;
+            params.extra_data = Some(setup.clone().into());
+        }
+        let made = contain_decoder(|| Ok(Decoder::new(&params)))
             .unwrap_or_else(|fault| Err(Refusal::Malformed(fault.to_string())));
         match made {
-            Ok(decoder) => return Ok((info.clone(), params.clone(), decoder)),
+            Ok(decoder) => return Ok((info.clone(), params, decoder)),
             Err(refusal) => first_refusal = first_refusal.or(Some(refusal)),
         }
+    }
+    let is_unknown = match &first_refusal {
+        Some(Refusal::Codec(codec)) => codec == codec::name(CODEC_ID_NULL_AUDIO),
+        Some(Refusal::Malformed(_)) => false,
+        None => true,
+    };
+    if let Some(entry) = movie.iter().find_map(|track| track.sound.as_ref())
+        && is_unknown
+    {
+        first_refusal = Some(Refusal::Codec(codec::name_of_four_letters(entry.codec)));
     }
     Err(match first_refusal {
         Some(Refusal::Codec(codec)) => Error::UnsupportedCodec {

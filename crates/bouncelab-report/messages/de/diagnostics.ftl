@@ -27,7 +27,7 @@ diagnostic-height-of-another-unit = Als Höhe sind { $stated_m } angegeben, aber
 
 diagnostic-file-unreadable = Die Datei lässt sich nicht lesen.
 diagnostic-file-truncated = { $expected_s ->
-    [none] Die Datei ist abgeschnitten oder beschädigt: Sie wurde bis { $read_s } s gelesen.
+    [none] Die Datei ist abgeschnitten oder beschädigt, oder sie enthält mehr Ton, als ihr Kopf zählt: Sie wurde bis { $read_s } s gelesen. Wurde davor Ton eingefügt, sind spätere Zeiten zu spät.
    *[other] Die Datei ist abgeschnitten: { $read_s } s von { $expected_s } s waren lesbar. Fehlt der Rest nicht am Ende, sind spätere Zeiten zu früh.
   }
 diagnostic-samples-not-finite = { $samples ->
@@ -46,9 +46,12 @@ diagnostic-sound-blank = { $places ->
     [one] Der Ton ist bei { $first_s } s für { $blank_s } s genau null
    *[other] Der Ton ist an { $places } Stellen, der ersten bei { $first_s } s, für zusammen { $blank_s } s genau null
   } und sonst nicht: Dort ging er vielleicht verloren oder wurde überschrieben.
-diagnostic-checksum-wrong = Die Ergebnisse können falsch sein: Der Ton ist nicht der, von dem die Datei die Prüfsumme hat. Er wurde irgendwo von { $start_s } s bis { $end_s } s verändert, sodass dort überall Aufpralle fehlen, verschoben oder hinzugekommen sein können.
+diagnostic-checksum-wrong = Die Ergebnisse können falsch sein: Der Ton ist nicht der, von dem die Datei die Prüfsumme oder die Länge hat. Er wurde irgendwo von { $start_s } s bis { $end_s } s verändert, sodass dort überall Aufpralle fehlen, verschoben oder hinzugekommen sein können.
 diagnostic-format-changes = Der Ton wechselt bei { $at_s } s Rate oder Kanäle; er wurde bis dort gelesen.
-diagnostic-rate-in-doubt = Der Kopf der Datei gibt { $stated_hz } Abtastwerte pro Sekunde an, seine Bytes pro Sekunde aber gehören zu { $implied_hz }: Ist die Rate falsch, sind es alle Zeiten.
+diagnostic-rate-in-doubt = { $implied_hz ->
+    [none] Der Kopf der Datei gibt { $stated_hz } Abtastwerte pro Sekunde an, was in diesem Format unüblich ist und nur einmal angegeben wird
+   *[other] Der Kopf der Datei gibt { $stated_hz } Abtastwerte pro Sekunde an, seine Bytes pro Sekunde aber gehören zu { $implied_hz }
+  }: Ist die Rate falsch, sind es alle Zeiten.
 diagnostic-edit-list-ignored = Die Schnittliste der Datei ordnet den Ton um; er wurde gelesen, wie er aufgenommen ist.
 
 diagnostic-impacts-missed = { $count ->

@@ -30,7 +30,7 @@ diagnostic-height-of-another-unit = The stated height is { $stated_m }, but the 
 
 diagnostic-file-unreadable = The file cannot be read.
 diagnostic-file-truncated = { $expected_s ->
-    [none] The file is truncated or damaged: it was read up to { $read_s } s.
+    [none] The file is truncated or damaged, or holds more sound than its header counts: it was read up to { $read_s } s. If sound was inserted before that, later times are too late.
    *[other] The file is truncated: { $read_s } s of { $expected_s } s could be read. If the rest is not missing at the end, later times are too early.
   }
 diagnostic-samples-not-finite = { $samples ->
@@ -49,9 +49,12 @@ diagnostic-sound-blank = { $places ->
     [one] The sound is exactly zero for { $blank_s } s at { $first_s } s
    *[other] The sound is exactly zero for { $blank_s } s in { $places } places, the first at { $first_s } s
   }, and not elsewhere: it may have been lost or overwritten there.
-diagnostic-checksum-wrong = The results may be wrong: the sound is not that of which the file has the checksum. It was changed somewhere from { $start_s } s to { $end_s } s, so that impacts anywhere there may be missing, moved or added.
+diagnostic-checksum-wrong = The results may be wrong: the sound is not that of which the file has the checksum or the length. It was changed somewhere from { $start_s } s to { $end_s } s, so that impacts anywhere there may be missing, moved or added.
 diagnostic-format-changes = The sound changes its rate or channels at { $at_s } s; it was read up to there.
-diagnostic-rate-in-doubt = The header states { $stated_hz } samples a second, but its bytes a second are those of { $implied_hz }: if the rate is wrong, all times are.
+diagnostic-rate-in-doubt = { $implied_hz ->
+    [none] The header states { $stated_hz } samples a second, which is unusual in this format and stated only once
+   *[other] The header states { $stated_hz } samples a second, but its bytes a second are those of { $implied_hz }
+  }: if the rate is wrong, all times are.
 diagnostic-edit-list-ignored = The file's edit list reorders or warps the sound; it was read as recorded.
 
 diagnostic-impacts-missed = { $count ->

@@ -27,7 +27,7 @@ diagnostic-height-of-another-unit = La altura indicada es { $stated_m }, pero la
 
 diagnostic-file-unreadable = El archivo no se puede leer.
 diagnostic-file-truncated = { $expected_s ->
-    [none] El archivo está truncado o dañado: se leyó hasta { $read_s } s.
+    [none] El archivo está truncado o dañado, o contiene más sonido del que cuenta su cabecera: se leyó hasta { $read_s } s. Si antes se insertó sonido, los tiempos posteriores son demasiado largos.
    *[other] El archivo está truncado: se pudieron leer { $read_s } s de { $expected_s } s. Si el resto no falta al final, los tiempos posteriores son demasiado cortos.
   }
 diagnostic-samples-not-finite = { $samples ->
@@ -46,9 +46,12 @@ diagnostic-sound-blank = { $places ->
     [one] El sonido es exactamente cero durante { $blank_s } s en { $first_s } s
    *[other] El sonido es exactamente cero durante { $blank_s } s en { $places } lugares, el primero en { $first_s } s
   }, y no en otra parte: quizá se perdió o se sobrescribió allí.
-diagnostic-checksum-wrong = Los resultados pueden ser falsos: el sonido no es aquel cuya suma de comprobación tiene el archivo. Se cambió en alguna parte de { $start_s } s a { $end_s } s, de modo que en cualquier punto de ese intervalo pueden faltar impactos, estar desplazados o sobrar.
+diagnostic-checksum-wrong = Los resultados pueden ser falsos: el sonido no es aquel cuya suma de comprobación o duración tiene el archivo. Se cambió en alguna parte de { $start_s } s a { $end_s } s, de modo que en cualquier punto de ese intervalo pueden faltar impactos, estar desplazados o sobrar.
 diagnostic-format-changes = El sonido cambia de frecuencia de muestreo o de canales en { $at_s } s; se leyó hasta allí.
-diagnostic-rate-in-doubt = La cabecera indica { $stated_hz } muestras por segundo, pero sus bytes por segundo corresponden a { $implied_hz }: si la frecuencia es falsa, lo son todos los tiempos.
+diagnostic-rate-in-doubt = { $implied_hz ->
+    [none] La cabecera indica { $stated_hz } muestras por segundo, lo que es inusual en este formato y solo consta una vez
+   *[other] La cabecera indica { $stated_hz } muestras por segundo, pero sus bytes por segundo corresponden a { $implied_hz }
+  }: si la frecuencia es falsa, lo son todos los tiempos.
 diagnostic-edit-list-ignored = La lista de edición del archivo reordena o deforma el sonido; se leyó tal como se grabó.
 
 diagnostic-impacts-missed = { $count ->

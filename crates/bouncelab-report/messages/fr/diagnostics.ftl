@@ -27,7 +27,7 @@ diagnostic-height-of-another-unit = La hauteur indiquée est { $stated_m }, mais
 
 diagnostic-file-unreadable = Le fichier ne peut pas être lu.
 diagnostic-file-truncated = { $expected_s ->
-    [none] Le fichier est tronqué ou endommagé : il a été lu jusqu’à { $read_s } s.
+    [none] Le fichier est tronqué ou endommagé, ou contient plus de son que n’en compte son en-tête : il a été lu jusqu’à { $read_s } s. Si du son a été inséré avant, les temps suivants sont trop longs.
    *[other] Le fichier est tronqué : { $read_s } s sur { $expected_s } s ont pu être lues. Si le reste ne manque pas à la fin, les temps suivants sont trop courts.
   }
 diagnostic-samples-not-finite = { $samples ->
@@ -46,9 +46,12 @@ diagnostic-sound-blank = { $places ->
     [one] Le son est exactement nul pendant { $blank_s } s à { $first_s } s
    *[other] Le son est exactement nul pendant { $blank_s } s en { $places } endroits, le premier à { $first_s } s
   }, et pas ailleurs : il y a peut-être été perdu ou écrasé.
-diagnostic-checksum-wrong = Les résultats peuvent être faux : le son n’est pas celui dont le fichier donne la somme de contrôle. Il a été modifié quelque part de { $start_s } s à { $end_s } s ; n’importe où dans cet intervalle, des impacts peuvent manquer, être décalés ou être en trop.
+diagnostic-checksum-wrong = Les résultats peuvent être faux : le son n’est pas celui dont le fichier donne la somme de contrôle ou la longueur. Il a été modifié quelque part de { $start_s } s à { $end_s } s ; n’importe où dans cet intervalle, des impacts peuvent manquer, être décalés ou être en trop.
 diagnostic-format-changes = Le son change de fréquence d’échantillonnage ou de nombre de voies à { $at_s } s ; il a été lu jusque-là.
-diagnostic-rate-in-doubt = L’en-tête indique { $stated_hz } échantillons par seconde, mais son débit en octets correspond à { $implied_hz } : si la fréquence est fausse, tous les temps le sont.
+diagnostic-rate-in-doubt = { $implied_hz ->
+    [none] L’en-tête indique { $stated_hz } échantillons par seconde, ce qui est inhabituel dans ce format et n’est indiqué qu’une fois
+   *[other] L’en-tête indique { $stated_hz } échantillons par seconde, mais son débit en octets correspond à { $implied_hz }
+  } : si la fréquence est fausse, tous les temps le sont.
 diagnostic-edit-list-ignored = La liste de montage du fichier réordonne ou déforme le son ; il a été lu tel qu’enregistré.
 
 diagnostic-impacts-missed = { $count ->

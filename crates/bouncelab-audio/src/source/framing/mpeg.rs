@@ -185,23 +185,32 @@ impl<S: Read + Seek> Walk<'_, '_, S> {
         };
         let flags = number(4).unwrap_or(0);
         let is_tag = tag.is_some() || bytes.get(36..40) == Some(b"VBRI");
+        let has_frames = flags & 1 == 1;
+        let bytes_at = if has_frames { 12 } else { 8 };
         Ok(is_tag.then(|| Tag {
-            frames: number(8).filter(|_| flags & 1 == 1),
+            frames: number(8).filter(|_| has_frames),
+            bytes: number(bytes_at).filter(|_| flags & 2 == 2),
             music: tag.and_then(|tag| Music::of(tag, flags)),
         }))
     }
 
-    /// Whether no frame is missing although the checksum of the tag is not that of the frames.
+    /// Whether the frames are not those of the tag, by their number or by its checksum, without a place that shows it.
     fn is_altered(&mut self, frames: &Frames, first: u64) -> io::Result<bool> {
         /// Number of bytes that are added to the checksum at once.
         const PIECE: u64 = 1 << 16;
-        let Some(music) = frames.tag.as_ref().and_then(|tag| tag.music.as_ref()) else {
+        let Some(stated) = frames.tag.as_ref().filter(|_| frames.holes.is_empty()) else {
             return Ok(false);
         };
-        let Some(tag) = self.frame(first)?.filter(|_| frames.holes.is_empty()) else {
+        let Some(tag) = self.frame(first)? else {
             return Ok(false);
         };
-        // The tag of a file that was shortened later is that of the whole file.
+        if !frames.is_cut && stated.is_miscounted(frames, frames.last.end - first, tag.len) {
+            return Ok(true);
+        }
+        let Some(music) = &stated.music else {
+            return Ok(false);
+        };
+        // The checksum counts for these bytes only.
         if frames.last.end - first != music.len {
             return Ok(false);
         }
@@ -223,7 +232,20 @@ impl<S: Read + Seek> Walk<'_, '_, S> {
 struct Tag {
     /// Number of frames behind the tag.
     frames: Option<u64>,
+    /// Length of the stream in bytes; some encoders do not count the tag.
+    bytes: Option<u64>,
     music: Option<Music>,
+}
+
+impl Tag {
+    /// Whether neither the number of frames nor the length is that of the file, `len` bytes with the tag of `tag_len`.
+    /// Some encoders count one of them in another way; frames that are missing or repeated change both.
+    fn is_miscounted(&self, frames: &Frames, len: u64, tag_len: u64) -> bool {
+        // The last frame, which is not counted, stands for the tag, which is.
+        let is_other_number = self.frames.is_some_and(|number| number != frames.count);
+        let is_length = |bytes| bytes == len || bytes + tag_len == len;
+        is_other_number && !self.bytes.is_some_and(is_length)
+    }
 }
 
 /// Length and checksum of the frames, as LAME and encoders with its tag state them.

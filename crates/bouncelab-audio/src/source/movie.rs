@@ -1,16 +1,29 @@
-//! Edit lists of MP4, M4A and MOV files: which parts of a track are presented.
+//! What the demuxer in use does not take from MP4, M4A and MOV files: edit lists, which state the parts of a track that
+//! are presented, and descriptions of sound that it does not know.
 //!
 //! Encoders write 1024 (ffmpeg), 2112 (Apple) or another number of AAC frames in front of the sound
 //! and make players skip them by an edit list (ISO/IEC 14496-12, boxes `edts` and `elst`). The
-//! demuxer in use reads these boxes but ignores them, so they are read here.
+//! demuxer ignores these boxes, so they are read here.
 
 use std::io::{self, Read, Seek, SeekFrom};
 
-/// The edits of one track, in seconds.
+/// A track.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct TrackEdits {
+pub(super) struct MovieTrack {
     pub(super) track_id: u32,
+    /// In seconds; empty without an edit list.
     pub(super) edits: Vec<Edit>,
+    /// How its sound is encoded; `None` if it has pictures.
+    pub(super) sound: Option<SoundEntry>,
+}
+
+/// The description of sound (box `stsd`).
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct SoundEntry {
+    /// Name of the codec in four letters.
+    pub(super) codec: [u8; 4],
+    /// The set-up of ALAC; `QuickTime` has it in a box within a box.
+    pub(super) alac: Option<Vec<u8>>,
 }
 
 /// A part of the track that is presented.
@@ -29,13 +42,15 @@ const MAX_BOXES: usize = 10_000;
 /// Maximum number of edits of a track, for the same reason.
 const MAX_EDITS: usize = 1_000;
 
-/// Reads the edits of all tracks. Damaged boxes give no edits: the demuxer, which reads the same boxes later, reports
-/// the damage.
-pub(super) fn read<S: Read + Seek + ?Sized>(source: &mut S) -> Vec<TrackEdits> {
+/// Maximum length of a description in bytes, for the same reason.
+const MAX_ENTRY: u64 = 1 << 12;
+
+/// Reads all tracks. Damaged boxes give none: the demuxer, which reads the same boxes later, reports the damage.
+pub(super) fn read<S: Read + Seek + ?Sized>(source: &mut S) -> Vec<MovieTrack> {
     read_movie(source).unwrap_or_default()
 }
 
-fn read_movie<S: Read + Seek + ?Sized>(source: &mut S) -> io::Result<Vec<TrackEdits>> {
+fn read_movie<S: Read + Seek + ?Sized>(source: &mut S) -> io::Result<Vec<MovieTrack>> {
     let end = source.seek(SeekFrom::End(0))?;
     let mut tracks = Vec::new();
     for movie in boxes(source, 0..end)?
@@ -58,29 +73,75 @@ fn read_track<S: Read + Seek + ?Sized>(
     source: &mut S,
     track: &BoxSpan,
     movie_scale: f64,
-) -> io::Result<Option<TrackEdits>> {
+) -> io::Result<Option<MovieTrack>> {
     let parts = boxes(source, track.start..track.end)?;
-    let (Some(header), Some(edits), Some(media)) = (
-        first(&parts, *b"tkhd"),
-        first(&parts, *b"edts"),
-        first(&parts, *b"mdia"),
-    ) else {
+    let (Some(header), Some(media)) = (first(&parts, *b"tkhd"), first(&parts, *b"mdia")) else {
         return Ok(None);
     };
-    let edits = boxes(source, edits.start..edits.end)?;
     let media = boxes(source, media.start..media.end)?;
-    let (Some(list), Some(media_header)) = (first(&edits, *b"elst"), first(&media, *b"mdhd"))
-    else {
-        return Ok(None);
-    };
-    let media_scale = timescale(source, media_header)?;
-    Ok(Some(TrackEdits {
+    let mut edits = Vec::new();
+    if let (Some(list), Some(media_header)) = (
+        descend(source, &parts, &[*b"edts", *b"elst"])?,
+        first(&media, *b"mdhd"),
+    ) {
+        let media_scale = timescale(source, media_header)?;
+        edits = edit_list(source, &list, movie_scale, media_scale)?;
+    }
+    Ok(Some(MovieTrack {
         track_id: track_id(source, header)?,
-        edits: edit_list(source, list, movie_scale, media_scale)?,
+        edits,
+        sound: sound_entry(source, &media)?,
     }))
 }
 
+/// The first description of a track of sound.
+fn sound_entry<S: Read + Seek + ?Sized>(
+    source: &mut S,
+    media: &[BoxSpan],
+) -> io::Result<Option<SoundEntry>> {
+    /// The header of the set-up of ALAC: its size of 36 bytes, its name, version and flags.
+    const ALAC: &[u8] = b"\0\0\0\x24alac\0\0\0\0";
+    /// Bytes of the set-up behind that.
+    const SETUP: usize = 24;
+    let is_sound = descend(source, media, &[*b"minf", *b"smhd"])?.is_some();
+    let list = descend(source, media, &[*b"minf", *b"stbl", *b"stsd"])?;
+    let Some(list) = list.filter(|_| is_sound) else {
+        return Ok(None);
+    };
+    let mut bytes = Vec::new();
+    // Version and flags, number of descriptions, size and name of the first.
+    source.seek(SeekFrom::Start(list.start + 12))?;
+    let len = (list.end - list.start).min(MAX_ENTRY);
+    source.take(len).read_to_end(&mut bytes)?;
+    let setup = bytes.windows(ALAC.len()).position(|it| it == ALAC);
+    let setup = setup.and_then(|at| bytes[at + ALAC.len()..].get(..SETUP));
+    Ok(bytes.first_chunk().map(|&codec| SoundEntry {
+        codec,
+        alac: setup.map(<[u8]>::to_vec),
+    }))
+}
+
+/// The box at the end of a path of boxes that lie within each other.
+fn descend<S: Read + Seek + ?Sized>(
+    source: &mut S,
+    outer: &[BoxSpan],
+    path: &[[u8; 4]],
+) -> io::Result<Option<BoxSpan>> {
+    let Some((kind, inner)) = path.split_first() else {
+        return Ok(None);
+    };
+    match first(outer, *kind) {
+        Some(found) if inner.is_empty() => Ok(Some(*found)),
+        Some(found) => {
+            let parts = boxes(source, found.start..found.end)?;
+            descend(source, &parts, inner)
+        }
+        None => Ok(None),
+    }
+}
+
 /// Kind of a box, and the position of its content in the file.
+#[derive(Clone, Copy)]
 struct BoxSpan {
     kind: [u8; 4],
     start: u64,
