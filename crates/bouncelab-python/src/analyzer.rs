@@ -12,7 +12,7 @@ use pyo3::prelude::*;
 use crate::failure::Result;
 use crate::recording::Recording;
 use crate::samples::Frames;
-use crate::watch::Watch;
+use crate::watch::{Watch, interruptible};
 
 /// Settings, resolved.
 #[pyclass(frozen, module = "bouncelab._core")]
@@ -29,7 +29,8 @@ impl Analyzer {
         let count = plan.tasks().len() as f64;
         let drops = plan.tasks().iter().enumerate().map(|(done, task)| {
             watch.look("drops", done as f64, Some(count))?;
-            Ok(task.run())
+            let task = task.clone();
+            interruptible(move || task.run())
         });
         let drops = drops.collect::<Result<_>>()?;
         Ok(Recording::new(name, self.clone(), plan.finish(drops)))

@@ -26,6 +26,7 @@ use crate::failure::{Failure, Result};
 use crate::output::{outputs, unwritable};
 use crate::physics::translator;
 use crate::table::{Arrow, arrow};
+use crate::watch::interruptible;
 
 /// A recording: what it is called, where it is, its content if that was read, and what was noted of it.
 type Recording = (
@@ -203,7 +204,7 @@ struct Request {
 /// The results that an engine wrote.
 #[pyclass(frozen, module = "bouncelab._core")]
 pub(crate) struct Results {
-    batch: Batch,
+    batch: Arc<Batch>,
     options: StudyOptions,
 }
 
@@ -213,7 +214,7 @@ impl Results {
     fn new(py: Python<'_>, path: PathBuf, request: &str) -> Result<Self> {
         let request: Request = serde_json::from_str(request)?;
         Ok(Self {
-            batch: py.detach(|| Batch::open(&path))?,
+            batch: Arc::new(py.detach(|| interruptible(move || Batch::open(&path)))??),
             options: StudyOptions {
                 question: Question {
                     by: request.by,
@@ -228,10 +229,13 @@ impl Results {
     /// The document of the schema `bouncelab.session/3`.
     fn document(&self, py: Python<'_>, language: &str) -> Result<String> {
         let words = translator(language)?;
+        let (batch, options) = (Arc::clone(&self.batch), self.options.clone());
         py.detach(|| {
-            let outcome = Outcome::of(&self.batch.results(), &self.options, &words)?;
-            Ok(serde_json::to_string(&outcome.document())?)
-        })
+            interruptible(move || -> Result<String> {
+                let outcome = Outcome::of(&batch.results(), &options, &words)?;
+                Ok(serde_json::to_string(&outcome.document())?)
+            })
+        })?
     }
 
     /// Writes the tables of drops and impacts into a folder, in the place of others only as the gate of outputs

@@ -17,14 +17,18 @@ use bouncelab_report::quantities;
 use bouncelab_report::report::{self, Block, Provenance};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use rand::SeedableRng;
+use rand::seq::SliceRandom;
+use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
 use crate::analyzer::Analyzer;
 use crate::chart::Chart;
-use crate::failure::{Failure, Result};
+use crate::failure::Result;
 use crate::page::Page;
 use crate::physics::translator;
 use crate::table::Table;
+use crate::watch::interruptible;
 
 /// A recording, or a list of times, and what it says.
 #[pyclass(frozen, module = "bouncelab._core")]
@@ -36,7 +40,8 @@ pub(crate) struct Recording {
     kept: Option<Kept>,
 }
 
-/// All of a result but what follows from its impacts and the settings, to the last digit.
+/// All of a result but what follows from its impacts and the settings, to the last digit. The package keeps the answers
+/// beside it; only what it does not keep (figures, reports, other languages) takes the inference again.
 #[derive(Clone, Serialize, Deserialize)]
 struct Kept {
     source: Source,
@@ -99,30 +104,39 @@ impl Recording {
         &self.name
     }
 
-    pub(crate) fn result(&self) -> &bouncelab::Recording {
-        self.result.get_or_init(|| match &self.kept {
-            Some(kept) => kept.analyze(&self.analyzer.setup.options),
-            None => unreachable!("a result is there, or what it is made of"),
-        })
+    pub(crate) fn result(&self, py: Python<'_>) -> Result<&bouncelab::Recording> {
+        if let (None, Some(kept)) = (self.result.get(), self.kept.clone()) {
+            let options = self.analyzer.setup.options.clone();
+            let again = py.detach(|| interruptible(move || kept.analyze(&options)))?;
+            // Another thread may have been faster, with the same result.
+            self.result.set(again).ok();
+        }
+        Ok(self
+            .result
+            .get()
+            .expect("a result is there, or what it is made of"))
     }
 
-    fn at(&self, drop: usize) -> &Drop {
-        &self.result().drops[drop]
+    fn at(&self, py: Python<'_>, drop: usize) -> Result<&Drop> {
+        Ok(&self.result(py)?.drops[drop])
     }
 
-    fn input(&self, drop: usize) -> FigureInput<'_> {
-        FigureInput::new(self.at(drop), &self.analyzer.setup.options)
+    fn input(&self, py: Python<'_>, drop: usize) -> Result<FigureInput<'_>> {
+        Ok(FigureInput::new(
+            self.at(py, drop)?,
+            &self.analyzer.setup.options,
+        ))
     }
 
     /// The figures of the recording as a whole, with their names.
-    fn own_charts(&self, words: &Translator) -> Vec<(&'static str, Data)> {
-        let result = self.result();
+    fn own_charts(&self, py: Python<'_>, words: &Translator) -> Result<Vec<(&'static str, Data)>> {
+        let result = self.result(py)?;
         let waveform = result.envelope.as_ref().map(|sound| {
             let marks = Mark::of_drops(&result.drops);
             ("waveform", figure::waveform(sound, &marks, words))
         });
         let of_air = figure::of_air(&result.drops, &self.analyzer.setup.options, words);
-        waveform.into_iter().chain(of_air).collect()
+        Ok(waveform.into_iter().chain(of_air).collect())
     }
 }
 
@@ -150,15 +164,18 @@ impl Recording {
         })
     }
 
-    fn __getnewargs__(&self) -> Result<(String, Analyzer, String)> {
-        let kept = serde_json::to_string(&Kept::of(self.result()))?;
+    fn __getnewargs__(&self, py: Python<'_>) -> Result<(String, Analyzer, String)> {
+        let kept = match &self.kept {
+            Some(kept) => serde_json::to_string(kept)?,
+            None => serde_json::to_string(&Kept::of(self.result(py)?))?,
+        };
         Ok((self.name.clone(), self.analyzer.clone(), kept))
     }
 
     /// The document of the schema `bouncelab.analysis/3`, with sentences in a language.
-    fn document(&self, language: &str) -> Result<String> {
+    fn document(&self, py: Python<'_>, language: &str) -> Result<String> {
         let words = translator(language)?;
-        let mut result = self.result().clone();
+        let mut result = self.result(py)?.clone();
         words.complete(&mut result);
         let setup = &self.analyzer.setup;
         let mut assumptions = setup.assumptions.clone();
@@ -169,51 +186,57 @@ impl Recording {
 
     /// A table of the recording, or of one of its drops: drops, impacts or flights.
     #[pyo3(signature = (name, drop = None))]
-    fn table(&self, name: &str, drop: Option<usize>) -> Result<Table> {
+    fn table(&self, py: Python<'_>, name: &str, drop: Option<usize>) -> Result<Table> {
         let known = TableKind::ALL.map(TableKind::name);
         let kind = TableKind::ALL.into_iter().find(|kind| kind.name() == name);
         let kind = kind.ok_or_else(|| bouncelab::Error::unknown_name("table", name, &known))?;
         Ok(Table(match drop {
-            None => kind.table(&self.name, self.result()),
+            None => kind.table(&self.name, self.result(py)?),
             Some(drop) => DataTable {
                 columns: kind.columns(),
-                rows: kind.rows(&DropRecord::from(self.at(drop))),
+                rows: kind.rows(&DropRecord::from(self.at(py, drop)?)),
             },
         }))
     }
 
     /// Raises why a drop has no posterior, if it has none.
-    fn require_posterior(&self, drop: usize) -> Result<()> {
-        let posterior = self.at(drop).posterior.as_ref();
+    fn require_posterior(&self, py: Python<'_>, drop: usize) -> Result<()> {
+        let posterior = self.at(py, drop)?.posterior.as_ref();
         posterior.map(|_| ()).map_err(|why| why.clone().into())
     }
 
     /// Raises why a drop has no log-linear fit, if it has none.
-    fn require_fit(&self, drop: usize) -> Result<()> {
-        let fit = self.at(drop).log_linear_fit.as_ref();
+    fn require_fit(&self, py: Python<'_>, drop: usize) -> Result<()> {
+        let fit = self.at(py, drop)?.log_linear_fit.as_ref();
         fit.map(|_| ()).map_err(|why| why.clone().into())
     }
 
-    /// The draws of the posterior of a drop.
-    fn draws(&self, drop: usize) -> Result<Table> {
-        let posterior = self.at(drop).posterior.as_ref().map_err(Clone::clone)?;
+    /// The draws of the posterior of a drop, in random order: they come sorted by model, and whoever reads them as a
+    /// chain would take that for a correlation.
+    fn draws(&self, py: Python<'_>, drop: usize) -> Result<Table> {
+        let posterior = self.at(py, drop)?.posterior.as_ref();
+        let posterior = posterior.map_err(Clone::clone)?;
         let draws = &posterior.draws;
         let drawn = if draws.drag_coefficient.is_empty() {
             &DRAWN[..2]
         } else {
             DRAWN
         };
-        let rows = (0..draws.restitution.len()).map(|index| (draws, index));
+        let mut order: Vec<usize> = (0..draws.restitution.len()).collect();
+        let inference = self.analyzer.setup.options.inference.as_ref();
+        let seed = inference.map_or(0, |asked| asked.sampler.seed);
+        order.shuffle(&mut ChaCha8Rng::seed_from_u64(seed));
+        let rows = order.into_iter().map(|index| (draws, index));
         Ok(Table(DataTable::of(drawn, rows)))
     }
 
     /// The answer in a few sentences, of a drop or of all.
     #[pyo3(signature = (language, drop = None))]
-    fn summary(&self, language: &str, drop: Option<usize>) -> Result<Vec<String>> {
+    fn summary(&self, py: Python<'_>, language: &str, drop: Option<usize>) -> Result<Vec<String>> {
         let (words, setup) = (translator(language)?, &self.analyzer.setup);
         let drops = match drop {
-            Some(drop) => std::slice::from_ref(self.at(drop)),
-            None => &self.result().drops,
+            Some(drop) => std::slice::from_ref(self.at(py, drop)?),
+            None => &self.result(py)?.drops,
         };
         let blocks = drops
             .iter()
@@ -222,45 +245,51 @@ impl Recording {
             Block::Lead(text) | Block::Text(text) | Block::Note(text) => Some(text),
             _ => None,
         });
-        let no_drop = self.result().no_drop.iter();
+        let no_drop = self.result(py)?.no_drop.iter();
         Ok(sentences
             .chain(no_drop.map(|why| words.diagnostic(why)))
             .collect())
     }
 
     /// The answer of a drop in one line; an empty text without an answer.
-    fn in_one_line(&self, drop: usize, language: &str) -> Result<String> {
+    fn in_one_line(&self, py: Python<'_>, drop: usize, language: &str) -> Result<String> {
         let options = &self.analyzer.setup.options;
-        let translator = translator(language)?;
-        Ok(quantities::in_one_line(self.at(drop), options, &translator))
+        let (drop, translator) = (self.at(py, drop)?, translator(language)?);
+        Ok(quantities::in_one_line(drop, options, &translator))
     }
 
     /// Names of the figures of a drop, or of the recording as a whole.
     #[pyo3(signature = (drop = None))]
-    fn figure_names(&self, drop: Option<usize>) -> Vec<&'static str> {
+    fn figure_names(&self, py: Python<'_>, drop: Option<usize>) -> Result<Vec<&'static str>> {
         if let Some(drop) = drop {
-            let input = self.input(drop);
-            return figure::of_drop(&input).map(|it| it.name).collect();
+            let input = self.input(py, drop)?;
+            return Ok(figure::of_drop(&input).map(|it| it.name).collect());
         }
-        let charts = self.own_charts(&Translator::english()).into_iter();
-        charts.map(|(name, _)| name).collect()
+        let charts = self.own_charts(py, &Translator::english())?.into_iter();
+        Ok(charts.map(|(name, _)| name).collect())
     }
 
     /// A figure of a drop, or of the recording as a whole.
     #[pyo3(signature = (name, language, drop = None))]
-    fn figure(&self, name: &str, language: &str, drop: Option<usize>) -> Result<Chart> {
+    fn figure(
+        &self,
+        py: Python<'_>,
+        name: &str,
+        language: &str,
+        drop: Option<usize>,
+    ) -> Result<Chart> {
         let words = translator(language)?;
         let chart = if let Some(drop) = drop {
-            figure::chart(name, &self.input(drop), &words)
+            figure::chart(name, &self.input(py, drop)?, &words)
         } else {
-            let mut charts = self.own_charts(&words).into_iter();
+            let mut charts = self.own_charts(py, &words)?.into_iter();
             charts.find(|(own, _)| *own == name).map(|(_, chart)| chart)
         };
-        let unknown = || {
-            let known = self.figure_names(drop);
-            Failure::from(bouncelab::Error::unknown_name("figure", name, &known))
-        };
-        chart.map(Chart).ok_or_else(unknown)
+        if let Some(chart) = chart {
+            return Ok(Chart(chart));
+        }
+        let known = self.figure_names(py, drop)?;
+        Err(bouncelab::Error::unknown_name("figure", name, &known).into())
     }
 
     /// The report, its details unfolded or not.
@@ -269,7 +298,7 @@ impl Recording {
         let input = report::ReportInput {
             name: &self.name,
             setup: &self.analyzer.setup,
-            result: self.result(),
+            result: self.result(py)?,
         };
         Ok(Page(py.detach(|| report::Page {
             unfolded,

@@ -1,8 +1,8 @@
 //! What do many recordings say together?
 
 use std::path::PathBuf;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::Duration;
 
@@ -25,7 +25,7 @@ use crate::failure::{Failure, Result};
 use crate::page::Page;
 use crate::physics::translator;
 use crate::table::Table;
-use crate::watch::Watch;
+use crate::watch::{Watch, interruptible};
 
 /// Figures with their names.
 type Charts = Vec<(&'static str, Chart)>;
@@ -98,7 +98,9 @@ impl SessionWork {
 
 /// The recordings of a session, analysed. What they say together is asked while they are there.
 #[pyclass(frozen, module = "bouncelab._core")]
-pub(crate) struct Session {
+pub(crate) struct Session(Arc<Analyzed>);
+
+struct Analyzed {
     recordings: Vec<KnownRecording>,
     done: Vec<Done>,
     journal: Journal,
@@ -109,7 +111,7 @@ pub(crate) struct Session {
     _temporary: Option<TempDir>,
 }
 
-impl Session {
+impl Analyzed {
     fn of(
         request: Request,
         settings: &Settings,
@@ -231,6 +233,11 @@ fn analyze_all(
             let count = finished.load(Ordering::Relaxed) as f64;
             if let Err(interruption) = watch.look("recordings", count, whole) {
                 stop.store(true, Ordering::Relaxed);
+                // Nobody waits for what they are doing.
+                Python::attach(|py| {
+                    let mut ends = children.iter().map(|child| child.call_method0(py, "end"));
+                    ends.try_for_each(|ended| ended.map(drop))
+                })?;
                 return Err(interruption);
             }
             thread::sleep(Duration::from_millis(2));
@@ -255,23 +262,34 @@ impl Session {
     ) -> Result<Self> {
         let settings: Settings = serde_json::from_str(settings)?;
         let request: Request = serde_json::from_str(request)?;
-        py.detach(|| Self::of(request, &settings, &children, Watch::new(report)))
+        let watch = Watch::new(report);
+        let analyzed = py.detach(|| Analyzed::of(request, &settings, &children, watch))?;
+        Ok(Self(Arc::new(analyzed)))
     }
 
     /// The tables of drops and impacts.
-    fn tables(&self) -> Result<(Table, Table)> {
-        let outcome = self.outcome(&Translator::english())?;
-        let [drops, impacts] = tables(&outcome, &self.results())?;
+    fn tables(&self, py: Python<'_>) -> Result<(Table, Table)> {
+        let session = Arc::clone(&self.0);
+        let [drops, impacts] = py.detach(|| {
+            interruptible(move || -> Result<_> {
+                let outcome = session.outcome(&Translator::english())?;
+                Ok(tables(&outcome, &session.results())?)
+            })
+        })??;
         Ok((Table(drops), Table(impacts)))
     }
 
     /// In a language: the document of the schema `bouncelab.session/3`, the figures with their names, and the report.
-    fn reported(&self, language: &str) -> Result<(String, Charts, Page)> {
-        let words = translator(language)?;
-        let (outcome, results) = (self.outcome(&words)?, self.results());
-        let charts = figures(&outcome, &results, &words)?;
-        let page = report(&outcome, &results, &charts, Provenance::default(), &words);
-        let document = serde_json::to_string(&outcome.document())?;
+    fn reported(&self, py: Python<'_>, language: &str) -> Result<(String, Charts, Page)> {
+        let (session, words) = (Arc::clone(&self.0), translator(language)?);
+        let (document, charts, page) = py.detach(|| {
+            interruptible(move || -> Result<_> {
+                let (outcome, results) = (session.outcome(&words)?, session.results());
+                let charts = figures(&outcome, &results, &words)?;
+                let page = report(&outcome, &results, &charts, Provenance::default(), &words);
+                Ok((serde_json::to_string(&outcome.document())?, charts, page))
+            })
+        })??;
         let charts = charts.into_iter().map(|(name, chart)| (name, Chart(chart)));
         Ok((document, charts.collect(), Page(page)))
     }

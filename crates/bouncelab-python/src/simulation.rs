@@ -13,7 +13,7 @@ use bouncelab_report::figure;
 use bouncelab_report::mark::Mark;
 use bouncelab_report::theme::Meaning;
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
+use pyo3::types::{PyByteArray, PyBytes};
 use serde::Deserialize;
 
 use crate::analyzer::Analyzer;
@@ -24,6 +24,7 @@ use crate::physics::translator;
 use crate::recording::bytes;
 use crate::samples::Frames;
 use crate::table::Table;
+use crate::watch::interruptible;
 
 /// How a drop begins, bounces and ends.
 #[derive(Deserialize)]
@@ -162,14 +163,21 @@ impl Simulation {
         }
     }
 
-    /// How it sounds: samples as the bytes of 32-bit floats, and the true impacts.
-    fn sound<'py>(&self, py: Python<'py>, scene: &str) -> Result<(Bound<'py, PyBytes>, Table)> {
+    /// How it sounds: samples as the bytes of 32-bit floats, which an array can own, and the true impacts.
+    fn sound<'py>(&self, py: Python<'py>, scene: &str) -> Result<(Bound<'py, PyByteArray>, Table)> {
         let asked: SceneRequest = serde_json::from_str(scene)?;
         let scene = asked.scene()?;
         let strikes: Vec<ImpactEvent> = self.run.history.impact_events().collect();
-        let sound = py.detach(|| synth::render(&strikes, &scene, asked.seed))?;
-        let samples = sound.samples.iter().flat_map(|sample| sample.to_ne_bytes());
-        let samples = PyBytes::new(py, &samples.collect::<Vec<u8>>());
+        let (sound, samples) = py.detach(|| {
+            interruptible(move || {
+                synth::render(&strikes, &scene, asked.seed).map(|sound| {
+                    let samples = sound.samples.iter().flat_map(|it| it.to_ne_bytes());
+                    let samples: Vec<u8> = samples.collect();
+                    (sound, samples)
+                })
+            })
+        })??;
+        let samples = PyByteArray::new(py, &samples);
         Ok((samples, Table(columns::truth(&sound))))
     }
 }

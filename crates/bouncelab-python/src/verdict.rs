@@ -76,15 +76,10 @@ impl Judge {
                 .collect()
         };
         let (files, reference_files) = (of(&places), of(&reference));
+        let (here, there) = (drops(py, &places)?, drops(py, &reference)?);
         let judged = py.detach(|| {
-            rulebook::judge(
-                &self.rule,
-                &analyzer.setup.options,
-                &conditions,
-                &drops(&places),
-                &drops(&reference),
-                decision,
-            )
+            let options = &analyzer.setup.options;
+            rulebook::judge(&self.rule, options, &conditions, &here, &there, decision)
         })?;
         Ok(Verdict {
             rule: self.rule.clone(),
@@ -98,10 +93,10 @@ impl Judge {
 }
 
 /// The drops of each recording.
-fn drops(recordings: &[Py<Recording>]) -> Vec<Place<'_>> {
+fn drops<'a>(py: Python<'_>, recordings: &'a [Py<Recording>]) -> Result<Vec<Place<'a>>> {
     let recordings = recordings.iter();
     recordings
-        .map(|it| it.get().result().drops.iter().collect())
+        .map(|it| Ok(it.get().result(py)?.drops.iter().collect()))
         .collect()
 }
 

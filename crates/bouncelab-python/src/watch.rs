@@ -1,5 +1,8 @@
 //! Shall the work go on?
 
+use std::panic::resume_unwind;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use pyo3::prelude::*;
@@ -37,5 +40,27 @@ impl Watch {
             }
             Ok(())
         })
+    }
+}
+
+/// Does work that has no steps between which to look, without the lock of the interpreter. An interruption does not wait
+/// for it: the thread that does it touches nothing of Python, and ends by itself.
+pub(crate) fn interruptible<T: Send + 'static>(
+    work: impl FnOnce() -> T + Send + 'static,
+) -> Result<T> {
+    let (sender, result) = mpsc::channel();
+    let thread = thread::spawn(move || {
+        // Nobody takes the result of work that was interrupted.
+        sender.send(work()).ok();
+    });
+    loop {
+        match result.recv_timeout(PERIOD) {
+            Ok(done) => return Ok(done),
+            Err(RecvTimeoutError::Timeout) => Python::attach(|py| py.check_signals())?,
+            Err(RecvTimeoutError::Disconnected) => match thread.join() {
+                Err(panic) => resume_unwind(panic),
+                Ok(()) => unreachable!("a thread that ends sends its result or panics"),
+            },
+        }
     }
 }

@@ -153,3 +153,25 @@ def test_progress_is_that_of_tqdm(sound: bl.Sound) -> None:
     assert all(bar.closed for bar in Bar.made)
     assert [bar.unit for bar in Bar.made][:1] == ["s"]
     assert 0 < Bar.made[0].done <= len(long) / sound.sample_rate_hz
+
+
+def test_paths_may_be_lists_patterns_and_urls(sound: bl.Sound, tmp_path: Path) -> None:
+    sound.save(tmp_path / "a.wav")
+    bl.synthesize(bounces=12, seed=2).save(tmp_path / "b.wav")
+    alone = bl.analyze(tmp_path / "a.wav", draws=None)
+    several = bl.analyze([tmp_path / "a.wav", tmp_path / "b.wav"], draws=None)
+    assert several == (alone, bl.analyze(tmp_path / "b.wav", draws=None))
+    assert bl.analyze(str(tmp_path / "a*.wav"), draws=None) == alone
+    with pytest.raises(bl.InputError, match="matches 2 files"):
+        bl.analyze(str(tmp_path / "*.wav"), draws=None)
+    study = bl.session(str(tmp_path / "*.wav"), ball="table-tennis-38", draws=None)
+    assert len(study.drops) == 2
+    with pytest.raises(bl.SessionError, match='"surface"'):
+        bl.session(str(tmp_path / "*.wav"), ball="table-tennis-38", draws=None, by="surface")
+    fsspec = pytest.importorskip("fsspec")
+    memory = fsspec.filesystem("memory")
+    memory.put(str(tmp_path / "a.wav"), "/folder/a.wav")
+    memory.put(str(tmp_path / "b.wav"), "/folder/b.wav")
+    assert bl.analyze("memory://folder/a.wav", draws=None).drops[0] == alone.drops[0]
+    assert len(bl.session("memory://folder", ball="table-tennis-38", draws=None).drops) == 2
+    assert bl.verdict(str(tmp_path / "a.wav"), "ittf-ball", draws=200).outcome in ("pass", "fail", "cannot-decide")

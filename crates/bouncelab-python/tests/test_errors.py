@@ -12,6 +12,7 @@ import pytest
 from conftest import TIMES_S
 
 import bouncelab as bl
+from bouncelab import batch
 
 SAMPLES = np.zeros(4410, dtype=np.float32)
 
@@ -37,6 +38,14 @@ WRONG: dict[str, Callable[[], object]] = {
     "channels first": lambda: bl.analyze(np.zeros((2, 44_100)), 44_100),
     "too many channels": lambda: bl.analyze(np.zeros((1000, 100)), 44_100),
     "no samples": lambda: bl.analyze(np.zeros(0), 44_100),
+    "a sample that is no number": lambda: bl.analyze(np.where(np.arange(4410) == 3, np.nan, SAMPLES), 44_100),
+    "an infinite sample": lambda: bl.Detector(44_100).push(np.full(4410, np.inf)),
+    "a pattern of nothing": lambda: bl.analyze("no/*.wav"),
+    "a store that is not": lambda: bl.analyze("nostore://drop.wav"),
+    "nothing in a store": lambda: bl.analyze("memory://nowhere.wav"),
+    "a diameter without mass": lambda: bl.analyze_times(TIMES_S, diameter_m=0.04),
+    "a sound as FLAC": lambda: bl.synthesize(bounces=2).save("drop.flac"),
+    "a manifest of nowhere": lambda: batch.manifest("nowhere", "manifest.parquet"),
     "no channels": lambda: bl.analyze(np.zeros((10, 0)), 44_100),
     "complex samples": lambda: bl.analyze(np.zeros(10, dtype=complex), 44_100),
     "samples of text": lambda: bl.analyze(np.array(["a", "b"]), 44_100),
@@ -131,7 +140,7 @@ def test_the_kinds_are_those_of_python_too() -> None:
         bl.analyze_times(TIMES_S, ball="tenniss")
 
 
-@pytest.mark.parametrize("value", [np.nan, np.inf, 1e30, -1e-40])
+@pytest.mark.parametrize("value", [1e30, -1e-40])
 def test_odd_samples_are_no_drop_and_no_failure(value: float) -> None:
     samples = np.full(44_100, value, dtype=np.float64)
     assert bl.analyze(samples, 44_100).no_drop is not None

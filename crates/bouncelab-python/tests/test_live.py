@@ -95,6 +95,47 @@ except KeyboardInterrupt:
 """
 
 
+#: Calls that take long, with what they take.
+LONG = {
+    "a long silence": "bl.synthesize(tail_s=3600.0)",
+    "many draws": "bl.analyze_times(TIMES_S, draws=100_000)",
+    "many draws of a session": "bl.session(folder, ball='tennis', draws=100_000, jobs=1)",
+    "what a pickle lacks": "again.report()",
+}
+
+INTERRUPTED_CALL = """
+import pickle, signal, sys, tempfile, warnings
+import bouncelab as bl
+
+signal.signal(signal.SIGINT, signal.default_int_handler)
+TIMES_S = TIMES
+work = sys.argv[1]
+folder = tempfile.mkdtemp()
+bl.synthesize(bounces=30, restitution=0.9).save(folder + "/drop.wav")
+again = pickle.loads(pickle.dumps(bl.analyze_times(TIMES_S, draws=100_000))) if work == "again.report()" else None
+print("begun", flush=True)
+try:
+    eval(work)
+    print("done")
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are sent in another way")
+@pytest.mark.parametrize("work", LONG.values(), ids=LONG)
+def test_an_interruption_ends_every_call(work: str) -> None:
+    code = INTERRUPTED_CALL.replace("= TIMES", f"= {TIMES_S}")
+    with subprocess.Popen([sys.executable, "-c", code, work], stdout=subprocess.PIPE, text=True) as child:
+        assert child.stdout is not None and child.stdout.readline().strip() == "begun"
+        # The signal arrives when the call has begun: sooner it would end the line before it, with the same effect.
+        time.sleep(0.2)
+        sent = time.perf_counter()
+        child.send_signal(signal.SIGINT)
+        assert child.stdout.readline().strip() == "interrupted"
+        print(f"{work}: {time.perf_counter() - sent:.2f} s from the signal to the exception")
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are sent in another way")
 @pytest.mark.parametrize(("work", "seconds"), [("detecting", 3600), ("inferring", 300)])
 def test_an_interruption_ends_long_work(work: str, seconds: int) -> None:

@@ -6,6 +6,7 @@ import dataclasses
 import json
 import math
 import subprocess
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -133,9 +134,48 @@ def test_arviz_takes_the_draws(times: bl.Recording) -> None:
     pytest.importorskip("arviz")
     drop = times.drops[0]
     posterior = drop.draws.to_arviz().posterior
-    assert set(posterior.data_vars) == set(drop.draws.names)
+    assert set(posterior.data_vars) == set(drop.draws)
     assert dict(posterior.sizes) == {"chain": 1, "draw": len(drop.draws)}
     assert (posterior["restitution"].values[0] == drop.draws["restitution"]).all()
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_the_draws_are_a_chain_of_independent_ones() -> None:
+    """Several laws are among them: in the order of the laws they would look like a chain that does not mix."""
+    arviz = pytest.importorskip("arviz")
+    laws = [law.name for law in bl.restitution_laws()]
+    draws = bl.analyze_times(TIMES_S, draws=1000, ball="table-tennis-40", restitution_laws=laws).drops[0].draws
+    effective = arviz.summary(draws.to_arviz())["ess_bulk"]
+    assert (effective.astype(float) > 0.8 * len(draws)).all()
+    assert draws == bl.analyze_times(TIMES_S, draws=1000, ball="table-tennis-40", restitution_laws=laws).drops[0].draws
+
+
+def test_estimates_and_posteriors_are_shown_in_short(times: bl.Recording) -> None:
+    estimate = bl.Estimate(0.93184, 0.00069)
+    assert f"{estimate:.3f}" == "0.932 ± 0.001" and str(estimate) == f"{estimate}" == "0.93184 ± 0.00069"
+    assert str(bl.Estimate(1234.5, 321.0)) == "1234.5 ± 321" and str(bl.Estimate(0.5)) == "0.5 ± inf"
+    drop = times.drops[0]
+    for found in (drop.posterior, drop.log_linear_fit, drop.per_impact):
+        assert found is not None
+        assert len(repr(found)) < 1500
+        assert found._repr_html_().startswith("<table>")
+    assert str(drop.restitution) in repr(drop.posterior)
+
+
+def test_what_to_read_with_care_is_a_warning(sound: bl.Sound) -> None:
+    clipped = np.clip(30.0 * sound.samples, -1.0, 1.0)
+    with pytest.warns(bl.BouncelabWarning, match="clipped") as caught:
+        recording = bl.analyze(clipped, sound.sample_rate_hz, draws=None)
+    assert any("ball=" in str(it.message) for it in caught)
+    assert {it.filename for it in caught} == {__file__}
+    assert f"{len(caught)} warnings" in repr(recording)
+    assert recording._repr_html_().count("<strong>Warning:</strong>") == len(caught)
+    with pytest.warns(bl.BouncelabWarning, match="did not converge"):
+        unconverged = bl.analyze_times([0.0, 0.5, 0.9, 0.901, 1.2], draws=200)
+    assert "warning" in repr(unconverged.drops[0])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        bl.analyze(sound.samples, sound.sample_rate_hz, ball="table-tennis-38", draws=500)
 
 
 def test_reports_and_answers_are_in_the_language_of_the_reader(times: bl.Recording) -> None:
@@ -158,6 +198,20 @@ def test_the_air_slows_a_simulated_ball() -> None:
     assert 0 < kept < drop.initial_energy_j
     assert drop.height_m([[0.0, 0.1]]).shape == (1, 2)
     assert drop.height_m(0.0) == pytest.approx(1.0)
+
+
+def test_one_number_and_several_are_taken() -> None:
+    assert bl.flights(2.0)["apex_m"] == bl.flights([2.0])["apex_m"]
+    assert bl.falls(0.3)["fall_time_s"] == bl.falls(np.array([0.3]))["fall_time_s"]
+    for heights_m in ([0.2, 0.4], np.array([0.2, 0.4])):
+        runs = bl.simulate(height_m=heights_m, bounces=2)
+        assert runs == tuple(bl.simulate(height_m=height_m, bounces=2) for height_m in (0.2, 0.4))
+
+
+def test_samples_are_an_ordinary_array() -> None:
+    samples = bl.synthesize(bounces=3, snr_db=None).samples
+    samples *= 0.5
+    assert samples.flags.writeable and samples.flags.c_contiguous
 
 
 def test_forward_functions_take_arrays_of_any_shape() -> None:

@@ -70,6 +70,19 @@ def test_a_column_is_an_array_of_numpy(recording: bl.Recording) -> None:
         impacts["colour"]
 
 
+def test_a_table_reads_like_a_data_frame(table: bl.Table) -> None:
+    names = [column.name for column in table.columns]
+    assert list(table.keys()) == names == table._ipython_key_completions_()
+    assert names[0] in table and "colour" not in table
+    if not isinstance(table, bl.Drops):
+        assert list(table) == names
+    columns, array = dict(table), np.asarray(table)
+    assert list(columns) == names == list(array.dtype.names or ())
+    assert len(array) == len(table)
+    for name, column in table.items():
+        assert np.array_equal(array[name], column, equal_nan=column.dtype.kind == "f")
+
+
 def test_the_drops_are_a_table_and_a_sequence(recording: bl.Recording) -> None:
     drops = recording.drops
     assert len(drops) == len(list(drops)) == 1

@@ -46,8 +46,10 @@ if TYPE_CHECKING:
     from bouncelab._detector import Detector
     from bouncelab._errors import (
         BouncelabError,
+        BouncelabWarning,
         InferenceError,
         InputError,
+        MissingPackageError,
         OutOfRangeError,
         OutputError,
         PhysicsError,
@@ -91,7 +93,7 @@ _PLACES = {
     ),
     "_detector": "Detector",
     "_errors": (
-        "BouncelabError InferenceError InputError OutOfRangeError OutputError PhysicsError "
+        "BouncelabError BouncelabWarning InferenceError InputError MissingPackageError OutOfRangeError OutputError PhysicsError "
         "RecordingError RecordingNotFoundError SessionError UnknownNameError"
     ),
     "_figure": "Figure",
@@ -116,6 +118,7 @@ __all__ = [
     "BallUsed",
     "BandPoint",
     "BouncelabError",
+    "BouncelabWarning",
     "Budget",
     "Column",
     "Correlations",
@@ -134,6 +137,7 @@ __all__ = [
     "InputError",
     "LogLinearFit",
     "Measured",
+    "MissingPackageError",
     "Model",
     "Options",
     "OutOfRangeError",
@@ -188,6 +192,8 @@ __all__ = [
 
 
 def __getattr__(name: str) -> object:
+    if name == "batch":
+        return importlib.import_module("bouncelab.batch")
     if name not in _MODULES:
         raise AttributeError(f"module 'bouncelab' has no attribute {name!r}")
     value = getattr(importlib.import_module(f"bouncelab.{_MODULES[name]}"), name)

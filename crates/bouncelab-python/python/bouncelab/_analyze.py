@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, BinaryIO, Protocol, Unpack
+from typing import TYPE_CHECKING, BinaryIO, Protocol, TypeAlias, Unpack, overload
 
 from bouncelab import _core
 from bouncelab._errors import InputError
 from bouncelab._recording import Recording
+from bouncelab._paths import fetched, is_url, matched
 from bouncelab._settings import Options, analyzer, count, number, text
 
 if TYPE_CHECKING:
@@ -78,23 +79,46 @@ class Progress(Protocol):
     def __call__(self, *, total: float | None, desc: str, unit: str) -> ProgressBar: ...
 
 
+#: What a recording may be.
+Given: TypeAlias = "str | PathLike[str] | bytes | BinaryIO | NDArray[np.generic]"
+
+
+@overload
 def analyze(
-    source: str | PathLike[str] | bytes | BinaryIO | NDArray[np.generic],
+    source: Given,
     sample_rate_hz: float | None = None,
     *,
     name: str | None = None,
     progress: Progress | None = None,
     **options: Unpack[Options],
-) -> Recording:
+) -> Recording: ...
+@overload
+def analyze(
+    source: list[str] | list[PathLike[str]] | list[bytes] | list[NDArray[np.generic]] | list[Given],
+    sample_rate_hz: float | None = None,
+    *,
+    name: str | None = None,
+    progress: Progress | None = None,
+    **options: Unpack[Options],
+) -> tuple[Recording, ...]: ...
+def analyze(
+    source: object,
+    sample_rate_hz: float | None = None,
+    *,
+    name: str | None = None,
+    progress: Progress | None = None,
+    **options: Unpack[Options],
+) -> Recording | tuple[Recording, ...]:
     """Find the drops in a recording, and analyse them.
 
     Parameters
     ----------
-    source : path, bytes, binary file or numpy.ndarray
+    source : path, bytes, binary file or numpy.ndarray, or a list of them
         A recording, such as WAV, MP3 or M4A, or a list of impact times, such as ``.txt`` or ``.csv`` (the page
         Formats of the documents lists all); or samples of shape ``(frames,)`` or ``(frames, channels)``, full
         scale being 1 for floating point and the whole range for integers. Contiguous ``float32`` is read
-        in place.
+        in place. A path may be a URL that fsspec opens, such as ``s3://bucket/drop.wav``, or a pattern such as
+        ``"class/*.wav"`` that one file matches.
     sample_rate_hz : float, optional
         Samples a second: for arrays only, and necessary there.
     name : str, optional
@@ -144,7 +168,7 @@ def analyze(
         reach : list of (bounce, apex_m)
             From which height does a bounce reach an apex?
         draws : int or None
-            Draws of the posterior to aim at, 100 to 100,000 (2,000); ``None`` leaves the inference out.
+            Draws of the posterior to aim at, 100 to 100,000 (1,000); ``None`` leaves the inference out.
         seed : int
             Seed of the random numbers of the inference (1).
         channel : int
@@ -156,8 +180,8 @@ def analyze(
 
     Returns
     -------
-    Recording
-        Without a drop, ``drops`` is empty and ``no_drop`` gives the reason.
+    Recording or tuple of Recording
+        Without a drop, ``drops`` is empty and ``no_drop`` gives the reason. One for each of a list.
 
     Raises
     ------
@@ -170,8 +194,8 @@ def analyze(
 
     Notes
     -----
-    Ctrl-C interrupts it between two blocks of samples, or two drops. It starts no thread and releases the GIL,
-    so several threads can analyse in parallel.
+    Ctrl-C interrupts it at any time. It releases the GIL, so several threads can analyse in parallel. What to read with
+    care is a :class:`BouncelabWarning`.
 
     Examples
     --------
@@ -184,7 +208,12 @@ def analyze(
     prepared = analyzer(**options)
     report = None if progress is None else Bars(progress)
     try:
-        return Recording(analyzed(prepared, source, sample_rate_hz, name, report))
+        if isinstance(source, list):
+            found = [Recording(analyzed(prepared, each, sample_rate_hz, name, report)) for each in source]
+            for recording in found:
+                recording._warn()
+            return tuple(found)
+        return Recording(analyzed(prepared, source, sample_rate_hz, name, report))._warn()
     finally:
         if report is not None:
             report.close()
@@ -208,7 +237,15 @@ def analyzed(
         path = fspath(source)
         if not isinstance(path, str):
             raise InputError("the path must be a text; decode it with os.fsdecode")
-        return prepared.file(path, called or path, report)
+        if is_url(path):
+            return prepared.content(fetched(path), called or path, report)
+        files = matched(path)
+        if len(files) != 1:
+            raise InputError(
+                f"{path} matches {len(files)} files; bouncelab.session compares them, and analyze(glob.glob({path!r})) "
+                "analyses each"
+            )
+        return prepared.file(files[0], called or files[0], report)
     if isinstance(source, bytes | bytearray):
         return prepared.content(bytes(source), called or "recording", report)
     if callable(read := getattr(source, "read", None)):
@@ -260,7 +297,7 @@ def analyze_times(
     times = as_numbers("times_s", times_s)
     if any(later <= earlier for earlier, later in zip(times, times[1:], strict=False)):
         raise InputError("times_s must increase: sort them, and leave out doubles")
-    return Recording(analyzer(**options).times(times, text("name", name)))
+    return Recording(analyzer(**options).times(times, text("name", name)))._warn()
 
 
 def as_samples(source: object) -> NDArray[np.float32]:
@@ -287,7 +324,16 @@ def as_samples(source: object) -> NDArray[np.float32]:
     if array.shape[1] > array.shape[0] and array.shape[0] > 1:
         raise InputError(f"{array.shape} are more channels than frames; transpose the array (samples.T)")
     with np.errstate(over="ignore"):
-        return np.ascontiguousarray(array, dtype=np.float32)
+        samples = np.ascontiguousarray(array, dtype=np.float32)
+    for start in range(0, len(samples), CHECKED_AT_ONCE):
+        known = np.isfinite(samples[start : start + CHECKED_AT_ONCE]).all(axis=1)
+        if not known.all():
+            frame = start + int(known.argmin())
+            raise InputError(
+                f"the samples of frame {frame} are not finite; cut the sound before it, or fill the gap, for which "
+                "include_s and exclude_s correct the impacts"
+            )
+    return samples
 
 
 def as_rate(sample_rate_hz: object) -> int:
@@ -300,15 +346,15 @@ def as_rate(sample_rate_hz: object) -> int:
     return count("sample_rate_hz", round(rate))
 
 
-def as_numbers(name: str, values: object, *, flat: bool = False) -> list[float]:
-    """Return a list of finite numbers; flat ones may be of any shape."""
+def as_numbers(name: str, values: object, *, flat: bool = False, single: bool = False) -> list[float]:
+    """Return a list of finite numbers; flat ones may be of any shape, and a single one may be a number."""
     import numpy as np
 
     try:
         array = np.asarray(values)
         if array.dtype.kind not in "iuf" and array.size:
             raise InputError(f"{name} must be numbers, not {array.dtype}")
-        if flat:
+        if flat or (single and array.ndim == 0):
             array = array.ravel()
         if array.ndim != 1:
             raise InputError(f"{name} must be a list of numbers, not of shape {array.shape}")
@@ -320,6 +366,10 @@ def as_numbers(name: str, values: object, *, flat: bool = False) -> list[float]:
     if not np.isfinite(numbers).all():
         raise InputError(f"{name} must be finite; leave out what is not known")
     return numbers
+
+
+#: Number of frames whose samples are checked at once, so that no large array is made.
+CHECKED_AT_ONCE = 1 << 18
 
 
 class Bars:

@@ -17,6 +17,43 @@ JSON: TypeAlias = "dict[str, JSON] | list[JSON] | str | float | int | bool | Non
 T = TypeVar("T")
 
 
+class Shown:
+    """A result of many fields, each of which a person sees in one line."""
+
+    __slots__ = ()
+
+    def _lines(self) -> list[tuple[str, str]]:
+        assert dataclasses.is_dataclass(self)
+        values = ((field.name, getattr(self, field.name)) for field in dataclasses.fields(self))
+        return [(name, _in_a_line(value)) for name, value in values]
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{name}={value}' for name, value in self._lines())})"
+
+    def _repr_html_(self) -> str:
+        """Return a table of the fields as HTML, for notebooks."""
+        from html import escape
+
+        rows = (f"<tr><th>{escape(name)}</th><td>{escape(value)}</td></tr>" for name, value in self._lines())
+        return f"<table>{''.join(rows)}</table>"
+
+
+def _in_a_line(value: object) -> str:
+    """Return a value for a person: an estimate with its uncertainty, and of a list its length."""
+    match value:
+        case Estimate():
+            return str(value)
+        case Measured():
+            return f"{value.value:.6g} ± {value.sd:.6g}"
+        case float():
+            return f"{value:.6g}"
+        case tuple() if value:
+            return f"<{len(value)} of {type(value[0]).__name__}>"
+        case _:
+            return f"<{type(value).__name__}>" if dataclasses.is_dataclass(value) else repr(value)
+
+
+
 @dataclass(frozen=True, slots=True)
 class Estimate:
     """A number found from data, with its uncertainty.
@@ -38,6 +75,8 @@ class Estimate:
     0.932 ± 0.001
     >>> float(fit.restitution) == fit.restitution.value
     True
+    >>> f"{fit.restitution:.3f}", str(fit.restitution)
+    ('0.932 ± 0.001', '0.93221 ± 0.00097')
     """
 
     value: float
@@ -47,6 +86,17 @@ class Estimate:
 
     def __float__(self) -> float:
         return self.value
+
+    def __format__(self, spec: str) -> str:
+        """Return value and standard uncertainty, both by a format of numbers."""
+        return f"{self.value:{spec}} ± {self.sd:{spec}}" if spec else str(self)
+
+    def __str__(self) -> str:
+        """Return value and standard uncertainty, of which two digits count."""
+        if not (0.0 < self.sd < math.inf):
+            return f"{self.value:.6g} ± {self.sd:g}"
+        places = 1 - math.floor(math.log10(self.sd))
+        return f"{self:.{places}f}" if places >= 0 else f"{self:.6g}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -327,8 +377,8 @@ class BallComparison:
     drop_height_m: Estimate
 
 
-@dataclass(frozen=True, slots=True)
-class LogLinearFit:
+@dataclass(frozen=True, slots=True, repr=False)
+class LogLinearFit(Shown):
     """The log-linear fit: the line through log10 of the flight times, as without drag (Nagurka 2003, Eqs. 4 to 8).
 
     Attributes
@@ -401,8 +451,8 @@ class ImpactRestitution:
     flight_time_ratio: float
 
 
-@dataclass(frozen=True, slots=True)
-class PerImpact:
+@dataclass(frozen=True, slots=True, repr=False)
+class PerImpact(Shown):
     """The restitution of single impacts, corrected for drag.
 
     Attributes
@@ -666,8 +716,8 @@ class BandPoint:
     restitution: Estimate
 
 
-@dataclass(frozen=True)
-class Posterior:
+@dataclass(frozen=True, repr=False)
+class Posterior(Shown):
     """The posterior of one drop, over all priors and models.
 
     What is not defined, such as drag in vacuum, is ``None``. ``docs/json.md`` of the project says more, under

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import importlib
 import json
+from typing import Any
 
 
 class BouncelabError(Exception):
@@ -228,3 +230,46 @@ class OutputError(BouncelabError):
     ...     print("not saved")
     not saved
     """
+
+
+class MissingPackageError(BouncelabError, ImportError):
+    """A package that bouncelab uses here is not installed; the message has the command that installs it.
+
+    Parameters and attributes are those of :class:`BouncelabError`.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> try:
+    ...     table = bl.analyze_times([0.0, 0.5, 0.9], draws=None).impacts.to_polars()
+    ... except bl.MissingPackageError as error:
+    ...     print(error)
+    """
+
+
+class BouncelabWarning(UserWarning):
+    """A result to be read with care: clipped samples, an assumed ball, an inference that did not converge.
+
+    It goes through the module ``warnings``, once for each kind of doubt in a recording, and says the same as the
+    diagnostics of the result.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> import warnings
+    >>> with warnings.catch_warnings(record=True) as caught:
+    ...     warnings.simplefilter("always")
+    ...     drop = bl.analyze_times([0.0, 0.5, 0.9], draws=None)
+    >>> caught[0].category.__name__
+    'BouncelabWarning'
+    """
+
+
+def imported(package: str, extra: str) -> Any:
+    """Return a package that an extra installs."""
+    try:
+        return importlib.import_module(package)
+    except ModuleNotFoundError as missing:
+        if missing.name is None or missing.name.split(".")[0] != package.split(".")[0]:
+            raise
+        raise MissingPackageError(f"this takes {package}: pip install 'bouncelab[{extra}]'") from None

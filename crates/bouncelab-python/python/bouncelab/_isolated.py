@@ -41,6 +41,7 @@ class Isolated:
         self._analyses = analyses
         self._limit_s = limit_s
         self._child: subprocess.Popen[bytes] | None = None
+        self._is_over = False
 
     def row(self, given: object) -> bytes | tuple[str, str]:
         """Return the row of a recording, or the kind of its failure and the reason.
@@ -48,7 +49,7 @@ class Isolated:
         A recording fails if it ends two children: the system may have ended the first for another.
         """
         outcome = self._try(given)
-        return self._try(given) if outcome[0] == "process-died" else outcome
+        return self._try(given) if outcome[0] == "process-died" and not self._is_over else outcome
 
     def _try(self, given: object) -> bytes | tuple[str, str]:
         child = self._running()
@@ -94,6 +95,12 @@ class Isolated:
             # The time to begin is not that of a recording.
             pickle.load(self._child.stdout)
         return self._child
+
+    def end(self) -> None:
+        """End the work of another thread on a recording, and all further work."""
+        self._is_over = True
+        if self._child is not None:
+            self._child.kill()
 
     def close(self) -> None:
         """End the child."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from bouncelab import _core
+from bouncelab._errors import imported
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -14,12 +15,9 @@ DASHES = {"solid": "-", "dashed": "--", "dotted": ":", "long": (0, (8, 4))}
 MARKERS = {"dot": "o", "ring": "o", "triangle": "v", "open-triangle": "v", "speck": "."}
 
 
-def draw(panel: Any, ax: Axes | None) -> Axes:
+def draw(panel: Any, given: Axes | None) -> Axes:
     """Draw a panel of a chart."""
-    if ax is None:
-        from matplotlib import pyplot
-
-        ax = pyplot.subplots()[1]
+    ax: Axes = imported("matplotlib.pyplot", "matplotlib").subplots()[1] if given is None else given
     for axis, label, scale, limits in (
         (panel["x"], ax.set_xlabel, ax.set_xscale, ax.set_xlim),
         (panel["y"], ax.set_ylabel, ax.set_yscale, ax.set_ylim),

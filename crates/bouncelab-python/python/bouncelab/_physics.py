@@ -322,11 +322,11 @@ def flights(
 
     Parameters
     ----------
-    launch_speed_m_s : array_like of float, shape (flights,)
+    launch_speed_m_s : float or array_like of float, shape (flights,)
         Speeds after the impact that starts the flight, in m/s.
-    flight_time_s : array_like of float, shape (flights,)
+    flight_time_s : float or array_like of float, shape (flights,)
         In place of these, times between the impacts, in s.
-    apex_m : array_like of float, shape (flights,)
+    apex_m : float or array_like of float, shape (flights,)
         In place of these, greatest heights, in m.
     **settings
         Ball, air, drag and gravity, as of :func:`analyze`.
@@ -362,7 +362,7 @@ def flights(
     if len(given) != 1:
         raise InputError(f"give one of {', '.join(stated)}; it determines the others")
     [(name, values)] = given.items()
-    return Table(_core.flights(analyzer(**settings), name, as_numbers(name, values)))
+    return Table(_core.flights(analyzer(**settings), name, as_numbers(name, values, single=True)))
 
 
 def falls(height_m: ArrayLike, **settings: Unpack[PhysicsOptions]) -> Table:
@@ -370,7 +370,7 @@ def falls(height_m: ArrayLike, **settings: Unpack[PhysicsOptions]) -> Table:
 
     Parameters
     ----------
-    height_m : array_like of float, shape (falls,)
+    height_m : float or array_like of float, shape (falls,)
         Heights of the lowest point of the ball above the surface, in m.
     **settings
         Ball, air, drag and gravity, as of :func:`analyze`.
@@ -397,7 +397,7 @@ def falls(height_m: ArrayLike, **settings: Unpack[PhysicsOptions]) -> Table:
     >>> bl.falls([0.1, 0.305], drag="none", gravity_m_s2=9.81)["impact_speed_m_s"].round(3)
     array([1.401, 2.446])
     """
-    return Table(_core.falls(analyzer(**settings), as_numbers("height_m", height_m)))
+    return Table(_core.falls(analyzer(**settings), as_numbers("height_m", height_m, single=True)))
 
 
 def terminal_speed_m_s(**settings: Unpack[PhysicsOptions]) -> float:

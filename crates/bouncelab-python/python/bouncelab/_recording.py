@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
+import warnings
 from collections.abc import Iterator
 from functools import cached_property
 from html import escape
-from typing import TYPE_CHECKING, Literal, overload
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 from bouncelab import _core
 from bouncelab._data import (
@@ -22,6 +23,7 @@ from bouncelab._data import (
     StrongestBand,
     read,
 )
+from bouncelab._errors import BouncelabError, BouncelabWarning, imported
 from bouncelab._figure import Figure, figure
 from bouncelab._report import Documented, written
 from bouncelab._settings import flag, text
@@ -47,12 +49,32 @@ class Recording(Documented):
     (1, 6, 5)
     """
 
-    def __init__(self, core: _core.Recording) -> None:
+    def __init__(self, core: _core.Recording, answers: dict[tuple[object, ...], Any] | None = None) -> None:
         self._core = core
+        self._answers = {} if answers is None else answers
+
+    def _ask(self, question: str, *about: object) -> Any:
+        """Return what a method of the core gives; a pickle has it too, so that nothing is inferred again."""
+        key = (question, *about)
+        if key not in self._answers:
+            self._answers[key] = getattr(self._core, question)(*about)
+        return self._answers[key]
+
+    def _why_no_posterior(self, drop: int) -> tuple[str, str] | None:
+        """Return code and reason of a drop that has no posterior."""
+        key = ("why", drop)
+        if key not in self._answers:
+            try:
+                self._core.require_posterior(drop)
+                self._answers[key] = None
+            except BouncelabError as reason:
+                self._answers[key] = (reason.code or "", str(reason))
+        why: tuple[str, str] | None = self._answers[key]
+        return why
 
     @cached_property
     def _document(self) -> dict[str, JSON]:
-        document: dict[str, JSON] = json.loads(self._core.document("en"))
+        document: dict[str, JSON] = json.loads(self._ask("document", "en"))
         return document
 
     @property
@@ -84,12 +106,12 @@ class Recording(Documented):
     @cached_property
     def impacts(self) -> Table:
         """The impacts of all drops, one row for each."""
-        return Table(self._core.table("impacts"))
+        return Table(self._ask("table", "impacts", None))
 
     @cached_property
     def flights(self) -> Table:
         """The flights of all drops, one row for each."""
-        return Table(self._core.table("flights"))
+        return Table(self._ask("table", "flights", None))
 
     @property
     def no_drop(self) -> Diagnostic | None:
@@ -168,18 +190,41 @@ class Recording(Documented):
     def _document_in(self, language: str) -> str:
         return self._core.document(language)
 
-    def __reduce__(self) -> tuple[type[Recording], tuple[_core.Recording]]:
-        return (Recording, (self._core,))
+    def __reduce__(self) -> tuple[type[Recording], tuple[_core.Recording, dict[tuple[object, ...], Any]]]:
+        for name in ("drops", "impacts", "flights"):
+            self._ask("table", name, None)
+        self._ask("summary", "en", None)
+        for drop in self.drops:
+            drop._keep()
+        return (Recording, (self._core, self._answers))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Recording) and self._document == other._document
 
     def __repr__(self) -> str:
-        return f"<bouncelab.Recording {self.name!r}: {_counted(len(self.drops), 'drop')}>"
+        parts = [_counted(len(self.drops), "drop"), *_doubts(self)]
+        return f"<bouncelab.Recording {self.name!r}: {', '.join(parts)}>"
 
     def _repr_html_(self) -> str:
         """Return a short answer as HTML, for notebooks."""
-        return "".join(f"<p>{escape(words)}</p>" for words in self._core.summary("en"))
+        return _html(self._ask("summary", "en", None), self._warnings())
+
+    def _warnings(self) -> list[str]:
+        """Return the first sentence of each kind of doubt."""
+        found = [(it.code, it.message()) for it in self.diagnostics if it.severity == "warning"]
+        for drop in self.drops:
+            found += drop._doubts()
+        first = dict(reversed(found))
+        for assumed in self.settings.assumptions:
+            if assumed.code == "assumed-ball":
+                first[assumed.code] = f"nobody stated the ball. {assumed.message()} State it by ball=."
+        return list(reversed(first.values()))
+
+    def _warn(self) -> Recording:
+        """Say through the module ``warnings`` what to read with care, at the line that called the package."""
+        for words in self._warnings():
+            warnings.warn(f"{self.name}: {words}", BouncelabWarning, stacklevel=3)
+        return self
 
 
 class Drop:
@@ -223,7 +268,7 @@ class Drop:
         return self._table("flights")
 
     def _table(self, name: str) -> Table:
-        return Table(self._recording._core.table(name, self._place))
+        return Table(self._recording._ask("table", name, self._place))
 
     @property
     def log_linear_fit(self) -> LogLinearFit:
@@ -234,7 +279,8 @@ class Drop:
         PhysicsError
             If there are too few flights.
         """
-        self._recording._core.require_fit(self._place)
+        if self._document["log_linear_fit"] is None:
+            self._recording._core.require_fit(self._place)
         return read(LogLinearFit, self._document["log_linear_fit"])
 
     @property
@@ -252,7 +298,8 @@ class Drop:
         InferenceError
             If nothing can be inferred, or ``draws=None`` left the inference out.
         """
-        self._recording._core.require_posterior(self._place)
+        if not self.has_posterior:
+            self._recording._core.require_posterior(self._place)
         return read(Posterior, self._document["posterior"])
 
     @property
@@ -340,14 +387,33 @@ class Drop:
         return isinstance(other, Drop) and self._document == other._document
 
     def __repr__(self) -> str:
-        answer = self._recording._core.in_one_line(self._place, "en")
-        parts = [_counted(len(self.impacts), "impact"), answer]
+        answer = self._recording._ask("in_one_line", self._place, "en")
+        parts = [_counted(len(self.impacts), "impact"), answer, *_doubts(self)]
         return f"<bouncelab.Drop: {', '.join(filter(None, parts))}>"
 
     def _repr_html_(self) -> str:
         """Return a short answer as HTML, for notebooks."""
-        words = self._recording._core.summary("en", self._place)
-        return "".join(f"<p>{escape(sentence)}</p>" for sentence in words)
+        return _html(self._recording._ask("summary", "en", self._place), self._warnings())
+
+    def _doubts(self) -> list[tuple[str, str]]:
+        """Return code and sentence of what to read with care, why there is no posterior among them."""
+        found = [(it.code, it.message()) for it in self.diagnostics if it.severity == "warning"]
+        why = self._recording._why_no_posterior(self._place)
+        return found if why is None or why[0] == "inference-off" else [*found, why]
+
+    def _warnings(self) -> list[str]:
+        return [words for _, words in self._doubts()]
+
+    def _keep(self) -> None:
+        """Ask what a pickle keeps."""
+        ask = self._recording._ask
+        for name in ("impacts", "flights"):
+            ask("table", name, self._place)
+        ask("summary", "en", self._place)
+        ask("in_one_line", self._place, "en")
+        self._recording._why_no_posterior(self._place)
+        if self.has_posterior:
+            ask("draws", self._place)
 
 
 class Drops(Table):
@@ -364,7 +430,7 @@ class Drops(Table):
     __slots__ = ("_recording",)
 
     def __init__(self, recording: Recording) -> None:
-        Table.__init__(self, recording._core.table("drops"))
+        Table.__init__(self, recording._ask("table", "drops", None))
         self._recording = recording
 
     @overload
@@ -382,7 +448,7 @@ class Drops(Table):
             return Drop(self._recording, places)
         return tuple(Drop(self._recording, place) for place in places)
 
-    def __iter__(self) -> Iterator[Drop]:
+    def __iter__(self) -> Iterator[Drop]:  # type: ignore[override]
         return (Drop(self._recording, place) for place in range(len(self)))
 
     def __eq__(self, other: object) -> bool:
@@ -403,7 +469,7 @@ class Draws(Table):
     --------
     >>> import bouncelab as bl
     >>> draws = bl.analyze_times([0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045], draws=500).drops[0].draws
-    >>> draws.names
+    >>> draws.keys()
     ('restitution', 'drop_height_m', 'drag_coefficient')
     >>> draws["restitution"].shape == (len(draws),)
     True
@@ -412,13 +478,8 @@ class Draws(Table):
     __slots__ = ("_drop",)
 
     def __init__(self, drop: Drop) -> None:
-        Table.__init__(self, drop._recording._core.draws(drop._place))
+        Table.__init__(self, drop._recording._ask("draws", drop._place))
         self._drop = drop
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """The quantities that were drawn."""
-        return tuple(column.name for column in self.columns)
 
     def to_arviz(self) -> InferenceData:
         """Return the draws for ArviZ, which must be installed.
@@ -428,9 +489,8 @@ class Draws(Table):
         arviz.InferenceData
             One chain of independent draws, in the group ``posterior``.
         """
-        import arviz
-
-        posterior = {name: self[name][None, :] for name in self.names}
+        arviz = imported("arviz", "arviz")
+        posterior = {name: self[name][None, :] for name in self}
         # Version 1 takes all groups as one.
         is_new = int(arviz.__version__.split(".")[0]) >= 1
         whole: tuple[object, ...] = ({"posterior": posterior},) if is_new else (posterior,)
@@ -441,13 +501,25 @@ class Draws(Table):
         return (Draws, (self._drop,))
 
     def __repr__(self) -> str:
-        return f"<bouncelab.Draws: {len(self)} of {', '.join(self.names)}>"
+        return f"<bouncelab.Draws: {len(self)} of {', '.join(self)}>"
 
 
 def _diagnostics(document: dict[str, JSON]) -> tuple[Diagnostic, ...]:
     known = document["diagnostics"]
     assert isinstance(known, list)
     return tuple(read(Diagnostic, each) for each in known)
+
+
+def _doubts(found: Recording | Drop) -> list[str]:
+    count = len(found._warnings())
+    return [_counted(count, "warning")] if count else []
+
+
+def _html(sentences: list[str], doubts: list[str]) -> str:
+    """Return sentences, and what to read with care, as paragraphs."""
+    words = [escape(sentence) for sentence in sentences]
+    words += [f"<strong>Warning:</strong> {escape(doubt)}" for doubt in doubts]
+    return "".join(f"<p>{each}</p>" for each in words)
 
 
 def _counted(count: int, what: str) -> str:

@@ -21,7 +21,8 @@ from bouncelab._data import JSON
 from bouncelab._errors import InputError
 from bouncelab._isolated import Isolated
 from bouncelab._report import Reported
-from bouncelab._settings import OF_ONE_RECORDING, Options, count, flag, number, settings_of, text
+from bouncelab._paths import local
+from bouncelab._settings import OF_ONE_RECORDING, Options, count, flag, number, settings_of, text, texts
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
@@ -95,10 +96,10 @@ def session(
     notes: Notes | None = None,
     *,
     pattern: str | None = None,
-    by: Iterable[str] | None = None,
+    by: str | Iterable[str] | None = None,
     compare_at_m_s: float | None = None,
     wanted: float | None = None,
-    exclude: Iterable[str] = (),
+    exclude: str | Iterable[str] = (),
     allow_missing: bool = False,
     allow_implausible: bool = False,
     output: str | PathLike[str] | None = None,
@@ -111,20 +112,21 @@ def session(
     Parameters
     ----------
     files : path or iterable of paths
-        Recordings, folders of recordings, or a ``session.toml``.
+        Recordings, folders of recordings, or a ``session.toml``; patterns such as ``"class/*.wav"``; URLs that fsspec
+        opens, which are copied to this machine until the session ends.
     notes : path, mapping or iterable of mappings, optional
         What was noted of each: a CSV file with a column ``recording``; notes by recording,
         ``{"1.wav": {"surface": "steel", "height": "30 cm"}}``; or rows, such as
         ``frame.to_dict("records")`` of pandas. Quantities are texts with their unit.
     pattern : str, optional
         What the names of the files say, as in ``"{ball}_{surface}_{height}_{}"``.
-    by : iterable of str, optional
+    by : str or iterable of str, optional
         What makes groups, nothing for a single one; ball, surface and what else was noted if left out.
     compare_at_m_s : float, optional
         Impact speed at which groups are compared; a round one that they have in common if left out.
     wanted : float, optional
         Half width of the 95 % interval that the restitution should have.
-    exclude : iterable of str
+    exclude : str or iterable of str
         Recordings, or ``"recording#2"`` for a second drop, to leave out of the comparison.
     allow_missing, allow_implausible : bool
         Whether recordings may lack what others have; whether to believe what looks like a mistake of units.
@@ -166,16 +168,17 @@ def session(
         raise InputError("channel, band_hz, exclude_s and include_s are of single recordings; use analyze")
     settings = settings_of(options)
     report = None if progress is None else Bars(progress)
-    with _csv(notes) as csv_of_notes:
+    with ExitStack() as folders:
+        csv_of_notes = folders.enter_context(_csv(notes))
         request = {
-            "inputs": paths("files", files),
+            "inputs": local("files", files, folders),
             "pattern": None if pattern is None else text("pattern", pattern),
             "notes": csv_of_notes,
             "output": None if output is None else text("output", fspath(output)),
-            "by": None if by is None else [text("by", field) for field in by],
+            "by": None if by is None else texts("by", by),
             "compare_at_m_s": None if compare_at_m_s is None else number("compare_at_m_s", compare_at_m_s),
             "wanted": None if wanted is None else number("wanted", wanted),
-            "exclude": [text("exclude", name) for name in exclude],
+            "exclude": texts("exclude", exclude),
             "allow_missing": flag("allow_missing", allow_missing),
             "allow_implausible": flag("allow_implausible", allow_implausible),
         }
@@ -244,12 +247,3 @@ def _row(row: object) -> dict[str, object]:
     if not isinstance(row, Mapping):
         raise InputError(f"the notes of a recording must be a mapping, not {type(row).__name__}")
     return dict(row)
-
-
-def paths(name: str, given: object) -> list[str]:
-    """Return a path, or several, as texts."""
-    if isinstance(given, str | PathLike):
-        return [text(name, fspath(given))]
-    if not isinstance(given, Iterable) or isinstance(given, bytes):
-        raise InputError(f"{name} must be a path or a list of paths, not {type(given).__name__}")
-    return [text(name, fspath(path)) if isinstance(path, PathLike) else text(name, path) for path in given]

@@ -197,6 +197,8 @@ def settings_of(options: Options) -> str:
     if unknown:
         raise InputError(f"there is no option {min(unknown)!r}; known: {', '.join(types)}")
     given = {name: value for name, value in options.items() if value is not None}
+    if "ball" not in given and len({"mass_kg", "diameter_m"} & given.keys()) == 1:
+        raise InputError("mass_kg and diameter_m describe a ball together; give both, or the kind of the ball by ball=")
     ball, air = _of_ball(given), _of_air(given)
     plain = {name: _plain(name, types[name], value) for name, value in given.items()}
     settings = {
@@ -295,6 +297,11 @@ def text(name: str, value: object) -> str:
     if not isinstance(value, str):
         raise InputError(f"{name} must be a text, not {_kind(value)}")
     return value
+
+
+def texts(name: str, value: object) -> list[str]:
+    """Return texts; a single one is a list of one."""
+    return [text(name, each) for each in _listed(name, [value] if isinstance(value, str) else value)]
 
 
 def _listed(name: str, value: object) -> list[object]:

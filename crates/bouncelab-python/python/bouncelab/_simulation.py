@@ -6,17 +6,20 @@ import json
 from dataclasses import dataclass
 from functools import cached_property
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Unpack
+from typing import TYPE_CHECKING, Unpack, overload
 
 from bouncelab import _core
 from bouncelab._analyze import as_numbers
 from bouncelab._data import JSON
+from bouncelab._errors import InputError
 from bouncelab._figure import Figure, figure
 from bouncelab._report import Documented
 from bouncelab._settings import PhysicsOptions, analyzer, count, number, text
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
 
@@ -188,10 +191,15 @@ class Sound:
 
         Raises
         ------
+        InputError
+            If the name ends in something else.
         OutputError
             If the file cannot be written, or is there already.
         """
-        _core.write_wav(text("path", fspath(path)), self.samples[:, None], self.sample_rate_hz, bool(force))
+        file = text("path", fspath(path))
+        if not file.lower().endswith((".wav", ".wave")):
+            raise InputError(f"{file}: a sound is saved as WAV; end the name in .wav")
+        _core.write_wav(file, self.samples[:, None], self.sample_rate_hz, bool(force))
 
     def __eq__(self, other: object) -> bool:
         return (
@@ -207,6 +215,7 @@ class Sound:
         return f"<bouncelab.Sound: {seconds:.3f} s with {len(self.impacts)} impacts>"
 
 
+@overload
 def simulate(
     *,
     height_m: float = 0.305,
@@ -215,12 +224,31 @@ def simulate(
     until_m: float | None = None,
     bounces: int | None = None,
     **settings: Unpack[PhysicsOptions],
-) -> Simulation:
-    """Simulate a drop.
+) -> Simulation: ...
+@overload
+def simulate(
+    *,
+    height_m: Sequence[float] | NDArray[np.floating],
+    launch_speed_m_s: float | None = None,
+    restitution: float | str = 0.935,
+    until_m: float | None = None,
+    bounces: int | None = None,
+    **settings: Unpack[PhysicsOptions],
+) -> tuple[Simulation, ...]: ...
+def simulate(
+    *,
+    height_m: float | Sequence[float] | NDArray[np.floating] = 0.305,
+    launch_speed_m_s: float | None = None,
+    restitution: float | str = 0.935,
+    until_m: float | None = None,
+    bounces: int | None = None,
+    **settings: Unpack[PhysicsOptions],
+) -> Simulation | tuple[Simulation, ...]:
+    """Simulate a drop, or one from each of several heights.
 
     Parameters
     ----------
-    height_m : float
+    height_m : float, or list or array of float
         Height of the release, surface to lowest point of the ball, in m.
     launch_speed_m_s : float, optional
         Start upwards from the surface instead, at this speed in m/s.
@@ -236,7 +264,8 @@ def simulate(
 
     Returns
     -------
-    Simulation
+    Simulation or tuple of Simulation
+        One for each of several heights.
 
     Raises
     ------
@@ -246,7 +275,8 @@ def simulate(
     Notes
     -----
     Quadratic drag with a coefficient that follows the Reynolds number, buoyancy and added mass; the
-    formulas are in the documentation of the crate ``bouncelab``, module ``flight``.
+    formulas are in the documentation of the crate ``bouncelab``, module ``flight``. Each impact takes the contact time of
+    the ball, ``contact_time_s``, during which it rests on the surface: the bounces begin later by the sum.
 
     Examples
     --------
@@ -255,14 +285,16 @@ def simulate(
     >>> with_air.total_time_s < without.total_time_s
     True
     """
+    heights_m = as_numbers("height_m", height_m, single=True)
     request = {
-        "height_m": number("height_m", height_m),
         "launch_speed_m_s": _optional("launch_speed_m_s", launch_speed_m_s),
         "restitution": _law(restitution),
         "until_m": _optional("until_m", until_m),
         "bounces": None if bounces is None else count("bounces", bounces),
     }
-    return Simulation(_core.Simulation(analyzer(**settings), json.dumps(request)))
+    resolved = analyzer(**settings)
+    runs = [_core.Simulation(resolved, json.dumps(request | {"height_m": height})) for height in heights_m]
+    return tuple(map(Simulation, runs)) if hasattr(height_m, "__len__") else Simulation(runs[0])
 
 
 def synthesize(

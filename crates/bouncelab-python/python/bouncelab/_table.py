@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from bouncelab import _core
+from bouncelab._errors import imported
 
 if TYPE_CHECKING:
     import numpy as np
@@ -42,7 +44,9 @@ class Table:
     """A table: one row for each drop, impact, flight or bounce.
 
     It is a stream of Arrow (``__arrow_c_stream__``), which pyarrow, Polars, pandas, DuckDB and Daft read
-    without a copy. A column is a NumPy array: ``table["time_s"]``.
+    without a copy. As in a data frame, a column is a NumPy array, ``table["time_s"]``, iteration goes over the names of
+    the columns, and ``len`` counts the rows; ``dict(table)`` has all columns, and ``numpy.asarray(table)`` is a structured
+    array.
 
     Examples
     --------
@@ -52,6 +56,8 @@ class Table:
     4
     >>> impacts["time_s"]
     array([0.    , 0.4605, 0.8877, 1.2854])
+    >>> "time_s" in impacts, list(impacts)[:4]
+    (True, ['recording', 'drop', 'number', 'time_s'])
     """
 
     __slots__ = ("_core",)
@@ -89,8 +95,43 @@ class Table:
         import numpy as np
 
         dtype, values = self._core.column(name)
-        array = np.array(values, dtype=dtype)
-        array.flags.writeable = False
+        return np.array(values, dtype=dtype)
+
+    def keys(self) -> tuple[str, ...]:
+        """Return the names of the columns, in their order.
+
+        Returns
+        -------
+        tuple of str
+        """
+        return tuple(column.name for column in self.columns)
+
+    def items(self) -> Iterator[tuple[str, NDArray[np.generic]]]:
+        """Return name and array of each column, one after the other.
+
+        Returns
+        -------
+        iterator of tuple of str and numpy.ndarray
+        """
+        return ((name, self[name]) for name in self.keys())
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.keys())
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.keys()
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self.keys())
+
+    def __array__(self, dtype: object = None, copy: bool | None = None) -> NDArray[np.void]:
+        """Return a structured array, a field for each column, for NumPy."""
+        import numpy as np
+
+        columns = dict(self.items())
+        array = np.empty(len(self), dtype=[(name, column.dtype) for name, column in columns.items()])
+        for name, column in columns.items():
+            array[name] = column
         return array
 
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
@@ -104,9 +145,7 @@ class Table:
         -------
         pyarrow.Table
         """
-        import pyarrow
-
-        return pyarrow.table(self)
+        return imported("pyarrow", "pyarrow").table(self)
 
     def to_polars(self) -> polars.DataFrame:
         """Return a data frame of Polars, which must be installed.
@@ -115,9 +154,8 @@ class Table:
         -------
         polars.DataFrame
         """
-        import polars
-
-        return polars.DataFrame(self)
+        frame: polars.DataFrame = imported("polars", "polars").DataFrame(self)
+        return frame
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return a data frame of pandas, which must be installed, with pyarrow.
@@ -126,6 +164,7 @@ class Table:
         -------
         pandas.DataFrame
         """
+        imported("pandas", "pandas")
         frame: pandas.DataFrame = self.to_arrow().to_pandas()
         return frame
 
@@ -146,8 +185,7 @@ class Table:
         return isinstance(other, Table) and self._core.packed() == other._core.packed()
 
     def __repr__(self) -> str:
-        names = ", ".join(column.name for column in self.columns)
-        return f"<bouncelab.Table: {len(self)} rows of {names}>"
+        return f"<bouncelab.Table: {len(self)} rows of {', '.join(self.keys())}>"
 
     def _repr_html_(self) -> str:
         """Return the first rows as HTML, for notebooks."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from os import PathLike
+from os import PathLike, fspath
 from typing import TYPE_CHECKING, Literal, Unpack
 
 from bouncelab import _core
@@ -13,14 +13,11 @@ from bouncelab._data import JSON, Diagnostic, Estimate, read
 from bouncelab._errors import InputError
 from bouncelab._recording import Recording
 from bouncelab._report import Reported
-from bouncelab._session import paths
+from bouncelab._paths import is_url, listed, matched
 from bouncelab._settings import Options, analyzer, number, text
 
 if TYPE_CHECKING:
-    from typing import BinaryIO
-
-    import numpy as np
-    from numpy.typing import NDArray
+    from bouncelab._analyze import Given
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,24 +131,25 @@ def rules() -> tuple[Rule, ...]:
 
 
 def verdict(
-    places: Iterable[str | PathLike[str] | bytes | BinaryIO | NDArray[np.generic]],
+    places: Given | Iterable[Given],
     rule: str,
     *,
-    reference: Iterable[str | PathLike[str] | bytes | BinaryIO | NDArray[np.generic]] = (),
+    reference: Given | Iterable[Given] = (),
     sample_rate_hz: float | None = None,
     risk: float | None = 0.05,
-    rule_files: Iterable[str | PathLike[str]] = (),
+    rule_files: str | PathLike[str] | Iterable[str | PathLike[str]] = (),
     **options: Unpack[Options],
 ) -> Verdict:
     """Judge drops by the rule of a sport.
 
     Parameters
     ----------
-    places : iterable
-        Recordings as of :func:`analyze`, each of one place on the surface, with one drop or several.
+    places : a recording, or an iterable of recordings
+        Recordings as of :func:`analyze`, each of one place on the surface, with one drop or several; a pattern such as
+        ``"court/*.wav"`` is every file that matches it.
     rule : str
         One of :func:`rules`, or of ``rule_files``.
-    reference : iterable
+    reference : a recording, or an iterable of recordings
         Recordings of the same ball on the reference surface, for a rule that compares.
     sample_rate_hz : float, optional
         Samples a second, where recordings are arrays.
@@ -183,7 +181,7 @@ def verdict(
     >>> found.outcome in ("pass", "fail", "cannot-decide")
     True
     """
-    judge = _core.Judge(text("rule", rule), paths("rule_files", rule_files))
+    judge = _core.Judge(text("rule", rule), listed("rule_files", rule_files))
     options.setdefault("height_m", None)
     is_its_ball = options.get("ball") is None and options.get("mass_kg") is None
     if is_its_ball:
@@ -194,8 +192,8 @@ def verdict(
         raise InputError("a verdict rests on the inference; give a number of draws")
     completed = judge.complete(analyzer(**options), is_its_ball)
 
-    def surface(sources: Iterable[object]) -> list[_core.Recording]:
-        numbered = enumerate(sources, 1)
+    def surface(sources: object) -> list[_core.Recording]:
+        numbered = enumerate(_several(sources), 1)
         return [analyzed(completed, it, sample_rate_hz, _name(it, place), None) for place, it in numbered]
 
     here, there = surface(places), surface(reference)
@@ -211,6 +209,17 @@ def verdict(
         {language: {"limits": judged.figure("limits", language)} for language in languages},
         {language: judged.page(language) for language in languages},
     )
+
+
+def _several(sources: object) -> Iterable[object]:
+    """Return recordings one by one; a path, a file or an array is a single one."""
+    if isinstance(sources, str | PathLike):
+        path = fspath(sources)
+        return [path] if isinstance(path, bytes) or is_url(path) else matched(path)
+    is_single = isinstance(sources, bytes | bytearray | memoryview) or hasattr(sources, "__array__") or hasattr(sources, "read")
+    if is_single or not isinstance(sources, Iterable):
+        return [sources]
+    return sources
 
 
 def _name(source: object, place: int) -> str | None:

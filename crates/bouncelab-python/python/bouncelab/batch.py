@@ -19,9 +19,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from bouncelab import _core
-from bouncelab._errors import InputError
+from bouncelab._errors import InputError, RecordingNotFoundError, imported
 from bouncelab._isolated import Outcome, child_process
-from bouncelab._settings import OF_ONE_RECORDING, Options, flag, number, settings_of, text
+from bouncelab._settings import OF_ONE_RECORDING, Options, flag, number, settings_of, text, texts
 
 if TYPE_CHECKING:
     import pyarrow
@@ -205,9 +205,7 @@ def manifest(
     int
         How many recordings there are.
     """
-    import pyarrow
-    from pyarrow import parquet
-
+    pyarrow, parquet = imported("pyarrow", "pyarrow"), imported("pyarrow.parquet", "pyarrow")
     root = fspath(source)
     names = sorted(_found(root, ""))
     known = notes or {}
@@ -262,10 +260,10 @@ def explode(
 def study(
     results: str | PathLike[str],
     *,
-    by: Iterable[str] | None = None,
+    by: str | Iterable[str] | None = None,
     compare_at_m_s: float | None = None,
     wanted: float | None = None,
-    exclude: Iterable[str] = (),
+    exclude: str | Iterable[str] = (),
     language: str = "en",
 ) -> dict[str, JSON]:
     """Compare the drops that an engine analysed: the model of :func:`bouncelab.session`.
@@ -338,22 +336,18 @@ def _results(results: str | PathLike[str], options: Mapping[str, object]) -> _co
     if unknown:
         raise InputError(f"there is no option {min(unknown)!r}")
 
-    def texts(name: str) -> list[str]:
-        return [text(name, each) for each in cast(Iterable[object], options.get(name, ()))]
-
     def some(name: str) -> float | None:
         value = options.get(name)
         return None if value is None else number(name, value)
 
-    request: dict[str, object] = {"exclude": texts("exclude"), "by": None if options.get("by") is None else texts("by")}
+    request: dict[str, object] = {"exclude": texts("exclude", options.get("exclude", ()))}
+    request["by"] = None if options.get("by") is None else texts("by", options["by"])
     request |= {name: some(name) for name in ("compare_at_m_s", "wanted")}
     return _core.Results(fspath(results), json.dumps(request))
 
 
 def _arrow(rows: list[bytes]) -> pyarrow.Table:
-    import pyarrow
-
-    return pyarrow.table(_core.batch_of_rows(rows))
+    return imported("pyarrow", "pyarrow").table(_core.batch_of_rows(rows))
 
 
 def _recordings(batch: pyarrow.RecordBatch, root: str) -> Iterator[Given]:
@@ -377,7 +371,11 @@ def plain(path: str) -> str:
 def _found(root: str, within: str) -> Iterator[str]:
     """Find the recordings in a folder, by names relative to the root."""
     endings = tuple(f".{ending}" for ending in _core.endings())
-    with os.scandir(os.path.join(root, within)) as entries:
+    try:
+        listed = os.scandir(os.path.join(root, within))
+    except OSError as reason:
+        raise RecordingNotFoundError(f"{os.path.join(root, within)}: {reason.strerror}; give a folder") from reason
+    with listed as entries:
         for entry in entries:
             name = os.path.join(within, entry.name)
             if entry.name.startswith("."):

@@ -11,6 +11,11 @@ from hashlib import sha256
 from itertools import accumulate
 from typing import TYPE_CHECKING
 
+from bouncelab._errors import imported
+
+imported("pyarrow", "ray")
+imported("ray", "ray")
+
 import pyarrow
 import ray
 from pyarrow import compute, parquet

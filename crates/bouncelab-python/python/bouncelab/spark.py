@@ -8,6 +8,11 @@ from contextlib import contextmanager
 from os import fspath
 from typing import TYPE_CHECKING
 
+from bouncelab._errors import imported
+
+imported("pyarrow", "spark")
+imported("pyspark", "spark")
+
 import pyarrow
 from pyspark import TaskContext
 from pyspark.sql import functions
