@@ -151,6 +151,23 @@ test('what is unusual is reset beside the answer', async () => {
   await page.context().close();
 });
 
+test('g is measured with a stated height, and stands in the answer', async () => {
+  const { page } = await open(here.browser, here.url);
+  await tryDemo(page);
+  await stateHeight(page, '30.5');
+  await page.getByRole('checkbox', { name: /^measure g/ }).check();
+  const answer = page.locator('.summary .second', { hasText: /^g = [\d.]+.±.[\d.]+.m\/s²$/ });
+  await answer.waitFor();
+  await settled(page);
+  const [, value = 0, sd = 0] = (/([\d.]+).±.([\d.]+)/.exec(await answer.innerText()) ?? []).map(
+    Number,
+  );
+  expect(Math.abs(value - 9.80665)).toBeLessThan(3.5 * sd);
+  expect(sd).toBeLessThan(0.3);
+  expect(page.url()).toContain('infer=gravity');
+  await page.context().close();
+});
+
 test('a ball is asked for, chosen in the row or by its size and weight, and remembered', async () => {
   const { page } = await open(here.browser, here.url);
   const chosen = (name: string) => page.getByRole('radio', { name, checked: true, exact: true });

@@ -240,6 +240,7 @@ page-settings-humidity = Feuchte
 page-settings-vacuum = Vakuum
 page-settings-no-drag = ohne Luft
 page-settings-gravity-field = Fallbeschleunigung
+page-settings-measure-g = g messen: dazu die Fallhöhe angeben
 page-settings-latitude = Geografische Breite
 page-settings-altitude = Höhe über dem Meer
 page-settings-drag-law = Luftwiderstand
@@ -453,6 +454,7 @@ page-class-known = { $count ->
    *[other] { $count } stehen schon in der Tabelle.
   }
 page-class-groups = Gruppen
+page-class-details = Einzelheiten
 page-class-by = Gruppen nach
 page-class-report = Bericht speichern (HTML)
 page-class-sheets = Arbeitsblätter

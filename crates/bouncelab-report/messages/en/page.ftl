@@ -242,6 +242,7 @@ page-settings-humidity = Humidity
 page-settings-vacuum = vacuum
 page-settings-no-drag = no air
 page-settings-gravity-field = Gravity
+page-settings-measure-g = measure g: state the drop height too
 page-settings-latitude = Latitude
 page-settings-altitude = Altitude above sea level
 page-settings-drag-law = Drag of the air
@@ -455,6 +456,7 @@ page-class-known = { $count ->
    *[other] { $count } are in the table already.
   }
 page-class-groups = Groups
+page-class-details = Details
 page-class-by = Group by
 page-class-report = Save the report (HTML)
 page-class-sheets = Lesson sheets

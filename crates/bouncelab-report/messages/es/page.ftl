@@ -243,6 +243,7 @@ page-settings-humidity = Humedad
 page-settings-vacuum = vacío
 page-settings-no-drag = sin aire
 page-settings-gravity-field = Gravedad
+page-settings-measure-g = medir g: indica también la altura de caída
 page-settings-latitude = Latitud
 page-settings-altitude = Altitud
 page-settings-drag-law = Arrastre del aire
@@ -456,6 +457,7 @@ page-class-known = { $count ->
    *[other] { $count } ya están en la tabla.
   }
 page-class-groups = Grupos
+page-class-details = Detalles
 page-class-by = Agrupar por
 page-class-report = Guardar el informe (HTML)
 page-class-sheets = Hojas de trabajo

@@ -243,6 +243,7 @@ page-settings-humidity = Humidité
 page-settings-vacuum = vide
 page-settings-no-drag = sans air
 page-settings-gravity-field = Pesanteur
+page-settings-measure-g = mesurer g : indique aussi la hauteur de chute
 page-settings-latitude = Latitude
 page-settings-altitude = Altitude
 page-settings-drag-law = Traînée de l’air
@@ -456,6 +457,7 @@ page-class-known = { $count ->
    *[other] { $count } sont déjà dans le tableau.
   }
 page-class-groups = Groupes
+page-class-details = Détails
 page-class-by = Grouper par
 page-class-report = Enregistrer le rapport (HTML)
 page-class-sheets = Fiches de travail

@@ -44,7 +44,11 @@ export function Groups({ drops }: { readonly drops: readonly KeptDrop[] }) {
               {text('page-class-report')}
             </button>
           </div>
-          <Sections sections={studied.sections} />
+          <Sections sections={studied.sections.slice(0, 1)} />
+          <details>
+            <summary>{text('page-class-details')}</summary>
+            <Sections sections={studied.sections.slice(1)} />
+          </details>
         </>
       )}
     </div>

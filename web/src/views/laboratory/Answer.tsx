@@ -2,6 +2,7 @@ import { Fragment } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { HeightCurve, hopsOf } from '../../app/HeightCurve.tsx';
 import { Rich } from '../../app/Rich.tsx';
+import { unbroken } from '../../format/quantity.ts';
 import type { Headline } from '../../lab/index.ts';
 import {
   analysed,
@@ -9,6 +10,7 @@ import {
   edited,
   headline,
   marks,
+  quantities,
   refining,
   workspace,
 } from '../../state/workspace.ts';
@@ -42,6 +44,7 @@ export function Answer() {
           <p class="second">{text('page-lab-cannot-tell')}</p>
         )}
         {answer && <Sentences headline={answer} />}
+        <Gravity />
         {marks.value.length > 0 && <Count />}
         <SetUp />
         <Warnings />
@@ -72,6 +75,18 @@ function Sentences({ headline: { is_answer, sentences } }: { readonly headline: 
         </p>
       )}
     </>
+  );
+}
+
+/** Gravity, where it is what is measured. */
+function Gravity() {
+  const rows = quantities.value.flatMap((list) => list.rows);
+  const measured = rows.find(({ id }) => id === 'gravity_m_s2');
+  if (!measured) return null;
+  return (
+    <p class="second">
+      {measured.symbol} = <strong>{unbroken(measured.value)}</strong>
+    </p>
   );
 }
 

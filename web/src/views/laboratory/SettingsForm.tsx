@@ -1,5 +1,6 @@
 import { Choice } from '../../app/Choice.tsx';
 import { NumberField } from '../../app/NumberField.tsx';
+import type { Inferred } from '../../lab/index.ts';
 import { catalogue } from '../../state/engine.ts';
 import { change, chooseBall, forgetSettings, isOwnBall, settings } from '../../state/settings.ts';
 import { analysed } from '../../state/workspace.ts';
@@ -154,7 +155,16 @@ function Air() {
   );
 }
 
+/** What is inferred, with gravity among it or not. */
+function toggled(infer: readonly Inferred[]): Inferred[] | undefined {
+  const others = infer.filter((name) => name !== 'gravity');
+  const next: Inferred[] = others.length < infer.length ? others : [...infer, 'gravity'];
+  return next.length > 0 ? next : undefined;
+}
+
 function Gravity() {
+  const infer = settings.value.inference?.infer ?? [];
+  const isMeasured = infer.includes('gravity');
   const { gravity_m_s2, latitude_deg, altitude_m } = settings.value.gravity ?? {};
   return (
     <fieldset>
@@ -184,6 +194,14 @@ function Gravity() {
           })
         }
       />
+      <label class="check">
+        <input
+          type="checkbox"
+          checked={isMeasured}
+          onChange={() => change('inference', { infer: toggled(infer) })}
+        />
+        {text('page-settings-measure-g')}
+      </label>
       {latitude_deg !== undefined && (
         <NumberField
           label={text('page-settings-altitude')}
