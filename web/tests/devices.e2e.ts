@@ -78,8 +78,9 @@ test.each([
 test('a browser whose language is none is spoken to in English, and answers', async () => {
   const { page, troubles } = await open(here.browser, here.url, {}, async (context) => {
     await context.addInitScript(() => {
-      Object.defineProperty(navigator, 'languages', { value: ['C', 'en_US.UTF-8'] });
-      Object.defineProperty(navigator, 'language', { value: 'C' });
+      const own = { language: 'C', languages: ['C', 'en_US.UTF-8'] };
+      for (const [name, value] of Object.entries(own))
+        Object.defineProperty(Navigator.prototype, name, { get: () => value, configurable: true });
     });
   });
   await tryDemo(page);

@@ -48,3 +48,31 @@ fn write(path: &Path, content: &[u8]) -> Result<(), Failure> {
     fs::create_dir_all(folder).map_err(|reason| Failure::unwritable(folder, &reason))?;
     fs::write(path, content).map_err(|reason| Failure::unwritable(path, &reason))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_has_every_file_of_the_page_or_is_not_made() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = place.path().join("public/bounce");
+        let arguments = Arguments {
+            folder: folder.clone(),
+        };
+        let written = run(&arguments);
+        match serve::files() {
+            Ok(files) => {
+                written.unwrap();
+                for (name, content) in files {
+                    assert_eq!(fs::read(folder.join(&name)).unwrap(), content, "{name}");
+                }
+            }
+            Err(_) => {
+                let reason = written.unwrap_err().to_string();
+                assert!(reason.contains("cargo xtask web"), "{reason}");
+                assert!(!folder.exists());
+            }
+        }
+    }
+}

@@ -1,4 +1,4 @@
-//! Lesson sheets: two pages of A4 each, the second with what to expect, computed.
+//! Lesson sheets: two pages of A4 each, the first for pupils, the second for the teacher, with what to expect, computed.
 //!
 //! `docs/lessons` has them in every language, with their [style](style()).
 //!
@@ -129,28 +129,29 @@ impl Sheet {
                             h1 { (text("title")) }
                             p .fields { (translator.text("sheet-fields")) }
                             p .first { (text("aim")) }
+                            (set_up(translator))
                             h2 { (translator.text("sheet-need")) }
                             ul { @for item in all("need") { li { (item) } } }
                             h2 { (translator.text("sheet-do")) }
                             ol { @for item in all("do") { li { (item) } } }
                             h2 { (translator.text("sheet-write")) }
                             (table(translator, headings, &blank))
-                        }
-                        section .second {
                             h2 { (translator.text("sheet-work")) }
                             ol { @for item in all("work") { li { (item) } } }
-                            h2 { (translator.text("sheet-expected")) }
-                            p { (text("see")) }
-                            (table(translator, &contents.expected.0, &contents.expected.1))
-                            p .subtitle { (translator.text("sheet-expected-made")) }
                             h2 { (translator.text("sheet-talk")) }
                             ol { @for item in all("talk") { li { (item) } } }
+                        }
+                        section .second {
                             h2 { (translator.text("sheet-teacher")) }
                             ul {
                                 @for item in all("teacher") { li { (item) } }
                                 li { (translator.text("sheet-teacher-quiet")) }
                                 li { (translator.text("sheet-teacher-collect")) }
                             }
+                            h2 { (translator.text("sheet-expected")) }
+                            p { (text("see")) }
+                            (table(translator, &contents.expected.0, &contents.expected.1))
+                            p .subtitle { (translator.text("sheet-expected-made")) }
                         }
                     }
                 }
@@ -347,6 +348,23 @@ fn percent_off(gravity_m_s2: f64) -> f64 {
 fn ball_name(ball: &str, translator: &Translator) -> String {
     let kind = ball.split(':').next().unwrap_or(ball);
     translator.text(&format!("sheet-ball-{kind}"))
+}
+
+/// The set-up: a ball above a floor, its height from the lowest point of the ball, and a phone beside where it lands.
+fn set_up(translator: &Translator) -> Markup {
+    html! {
+        svg .set-up viewBox="0 0 120 90" role="img" aria-label=(translator.text("sheet-set-up")) {
+            g fill="none" stroke="currentColor" stroke-width="1.2" {
+                path d="M4 80H116" {}
+                circle cx="60" cy="14" r="7" {}
+                path d="M60 25V76" stroke-dasharray="2 3" {}
+                path d="M34 21V80M31 25l3-4 3 4M31 76l3 4 3-4M30 21H52" {}
+                path d="M86 76h22v4H86z" {}
+                path d="M80 74a6 6 0 0 0-4-4M82 69a11 11 0 0 0-6-4" {}
+            }
+            text x="24" y="54" font-size="9" fill="currentColor" { "h" }
+        }
+    }
 }
 
 fn table(translator: &Translator, headings: &[&str], rows: &[Vec<String>]) -> Markup {

@@ -53,7 +53,7 @@ function isTag(tag: string): boolean {
 /** Gives the browser a language that libraries can ask Intl for, if its own is none. */
 export function mendLanguage(): void {
   if (isTag(navigator.language)) return;
-  Object.defineProperty(navigator, 'language', { value: language.peek(), configurable: true });
+  Reflect.defineProperty(navigator, 'language', { value: language.peek(), configurable: true });
 }
 
 /** The name of a language in that language; a browser whose own language is unknown may know none. */

@@ -1,12 +1,13 @@
 /**
  * A class: thirty phones hear a drop each, thirty links reach one page, and the groups of that page hold the truth.
  */
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { beforeAll, expect, test } from 'vitest';
 import { fixture } from '../harness/fixture.ts';
 import { folder, synth } from '../harness/program.ts';
-import { open, settled } from '../support/page.ts';
+import { open, saved, settled } from '../support/page.ts';
 import { hearing } from '../support/sounds.ts';
 
 /** Three balls, as the page and as the synthesiser call them, and what they keep of their speed on average. */
@@ -15,6 +16,13 @@ const BALLS = [
   { ball: 'golf', name: 'golf', voice: 'steel-ball', restitution: 0.82 },
   { ball: 'tennis', name: 'tennis', voice: 'tennis', restitution: 0.74 },
 ] as const;
+
+/** What the page calls them. */
+const BALL_NAMES = {
+  'table-tennis-40': 'table tennis 40+',
+  golf: 'golf',
+  tennis: 'tennis',
+} as const;
 
 /** What the restitutions of the ten drops of a ball are off: their mean is zero, their scatter 0.003. */
 const OFF = [-4.5, -3.5, -2.5, -1.5, -0.5, 0.5, 1.5, 2.5, 3.5, 4.5].map((step) => step * 0.001);
@@ -29,6 +37,13 @@ interface Phone {
   readonly wav: string;
 }
 
+/** One name tries to be a formula of a spreadsheet and a piece of the page. */
+const HOSTILE = '=cmd|1<img src=x onerror=document.title=1>';
+const nameOf = (index: number): string => (index === 12 ? HOSTILE : `Student ${index + 1}`);
+
+/** Says that its ball is a tennis ball, but dropped the first. */
+const MISTAKEN = 'Student 4';
+
 const here = fixture();
 let phones: readonly Phone[];
 
@@ -36,13 +51,13 @@ beforeAll(() => {
   const place = folder();
   phones = BALLS.flatMap((ball, kind) =>
     OFF.map((off, number) => {
-      const student = `Student ${10 * kind + number + 1}`;
+      const student = nameOf(10 * kind + number);
       const restitution = ball.restitution + off;
       const truth = ['--ball', ball.ball, '--restitution', restitution.toFixed(4)];
       const scene = ['--height', `${25 + 2 * number}cm`, '--voice', ball.voice, '--snr', '30'];
       const sound = ['--lead-in', '1s', '--tail', '3s', '--sample-rate', '48000'];
       const seed = ['--seed', String(100 * kind + number)];
-      const path = join(place, `${student}.wav`);
+      const path = join(place, `${10 * kind + number}.wav`);
       return {
         student,
         ball,
@@ -53,27 +68,29 @@ beforeAll(() => {
   );
 });
 
-/** What a student does: chooses the ball, listens, writes a name, and shares the drop. */
-async function linkOf({ student, ball, wav }: Phone): Promise<string> {
+/** What a student does: opens the lesson, writes a name, chooses ball and surface, listens, and hands in. */
+async function linkOf({ student, ball, wav }: Phone, lesson: string): Promise<string> {
   const screen = { viewport: { width: 390, height: 844 } };
-  const { page } = await open(here.browser, here.url, screen, hearing(wav));
-  await page.locator(`.balls label:has(.${ball.ball})`).click();
+  const { page } = await open(here.browser, lesson, screen, hearing(wav));
+  await page.getByLabel('Your name').fill(student);
+  await page.getByLabel('Surface').selectOption('stone');
+  const chosen = student === MISTAKEN ? 'tennis' : ball.ball;
+  await page.locator(`.balls label:has(.${chosen})`).click();
   await page.getByRole('button', { name: 'Listen' }).click();
   await settled(page);
-  await page.getByLabel('Name').fill(student);
-  await page.getByRole('button', { name: 'Share this drop' }).click();
+  await page.getByRole('button', { name: 'Hand in' }).click();
   const address = await page.locator('.shared code').last().innerText();
   await page.context().close();
   return address;
 }
 
 /** Every link of the class, a few phones at a time. */
-async function links(): Promise<string[]> {
+async function links(lesson: string): Promise<string[]> {
   const waiting = [...phones];
   const found: string[] = [];
   const hand = async (): Promise<void> => {
     for (let phone = waiting.shift(); phone; phone = waiting.shift()) {
-      found.push(await linkOf(phone));
+      found.push(await linkOf(phone, lesson));
     }
   };
   await Promise.all(Array.from({ length: AT_ONCE }, hand));
@@ -97,13 +114,26 @@ const numbersIn = (text: string): number[] => (text.match(/\d+\.\d+/g) ?? []).ma
 
 test('thirty phones, thirty links, one table: each group holds its truth', async () => {
   const { page, troubles } = await open(here.browser, `${here.url}#drops`);
-  await page.getByLabel(/^Links of other/).fill((await links()).join('\n'));
+  await page.getByText('Class: a link for all pupils').click();
+  for (const { ball } of BALLS)
+    await page.getByRole('checkbox', { name: BALL_NAMES[ball], exact: true }).check();
+  await page.getByLabel('Surfaces, with commas between them').fill('stone, wood');
+  const lesson = page.locator('.shared code');
+  await lesson.getByText(/surfaces=stone%3Bwood$/).waitFor();
+  const handed = await links(await lesson.innerText());
+  // Two came twice.
+  const chat = [...handed, ...handed.slice(0, 2)].map((link) => `Here it is: ${link} thanks!`);
+  await page.getByLabel(/^Links of other/).fill(chat.join('\n'));
   await page.getByRole('button', { name: 'Add to this table' }).click();
   await page.getByText('30 drops were added.').waitFor();
+  const mistaken = page.getByLabel(`Ball of ${MISTAKEN}`, { exact: true });
+  expect(await mistaken.inputValue()).toBe('tennis');
+  await mistaken.selectOption(BALLS[0].ball);
+  await expect.poll(() => mistaken.inputValue()).toBe(BALLS[0].ball);
   const groups = page.locator('.groups[aria-busy=false]');
   await groups.getByText(/30 drops in 30/).waitFor();
 
-  const intervals = await rows(page, /95 % intervals of the mean/);
+  const intervals = await rows(page, /95 % intervals of the restitution/);
   for (const { name, restitution } of BALLS) {
     const [row] = [...intervals].filter(([group]) => group.startsWith(name));
     const [low = 1, high = 0] = numbersIn(row?.[1][0] ?? '');
@@ -120,6 +150,10 @@ test('thirty phones, thirty links, one table: each group holds its truth', async
     return Math.abs(value - restitution) <= 1.96 * sd;
   });
   expect(stated.size).toBe(30);
+  expect(await page.title()).toMatch(/^bouncelab/);
+  const table = readFileSync(await saved(page, 'Save the table (CSV)'), 'utf8');
+  expect(table).toContain(`"'${HOSTILE}"`);
+  expect(table.match(/,"stone",/g)?.length).toBe(30);
   expect(held.length).toBeGreaterThanOrEqual(25);
   expect(troubles).toEqual([]);
 });

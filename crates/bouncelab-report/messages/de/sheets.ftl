@@ -1,4 +1,5 @@
 sheet-fields = Name: _________________________ Klasse: ______________ Datum: ______________
+sheet-set-up = Ein Ball über dem Boden, seine Höhe h, und ein Handy daneben
 sheet-need = Das brauchst du
 sheet-do = Das tust du
 sheet-write = Schreib auf
@@ -68,7 +69,7 @@ sheet-gravity-do-2 = Tippe auf „Zuhören“ und lass ohne Stoß los. Lass den 
 sheet-gravity-do-3 = Schreib T₁ und T₂ mit vier Nachkommastellen auf.
 sheet-gravity-work-1 = Der Ball kommt mit v = √(2 g h) an und geht mit e v. Also ist T₁ = 2 e v / g und e = T₂ / T₁. Zeige, dass g = 8 h T₂² / T₁⁴.
 sheet-gravity-work-2 = Berechne g für jeden Versuch, dann das Mittel und seinen Standardfehler.
-sheet-gravity-work-3 = Gib auf der Seite unter „ändern“ die Höhe an, lass sie die Fallbeschleunigung bestimmen und vergleiche.
+sheet-gravity-work-3 = Gib auf der Seite unter „ändern“ die Höhe an, kreuze „g messen“ an und vergleiche.
 sheet-gravity-see = Was die Formel für Bälle aus { $height } cm mit e = { $restitution } ergibt, wenn g { $gravity } m/s² ist.
 sheet-gravity-talk-1 = Der Tennisball ergibt ein zu kleines g, obwohl er weniger von der Luft spürt als der Tischtennisball. Was dauert bei einem Aufprall noch?
 sheet-gravity-talk-2 = Ein Millimeter von { $height } cm sind { $share } %. Wie groß ist der Fehler von g, der daraus folgt?

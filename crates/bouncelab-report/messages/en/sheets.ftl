@@ -1,4 +1,5 @@
 sheet-fields = Name: _________________________ Class: ______________ Date: ______________
+sheet-set-up = A ball above a floor, its height h, and a phone beside it
 sheet-need = You need
 sheet-do = What to do
 sheet-write = Write down
@@ -68,7 +69,7 @@ sheet-gravity-do-2 = Tap “Listen” and let go without a push. Drop the ball f
 sheet-gravity-do-3 = Write down T₁ and T₂ with four decimals.
 sheet-gravity-work-1 = The ball lands with v = √(2 g h) and leaves with e v. So T₁ = 2 e v / g, and e = T₂ / T₁. Show that g = 8 h T₂² / T₁⁴.
 sheet-gravity-work-2 = Compute g for each drop, then the mean and its standard error.
-sheet-gravity-work-3 = On the page, give the height under “change”, let it infer gravity, and compare.
+sheet-gravity-work-3 = On the page, give the height under “change”, tick “measure g”, and compare.
 sheet-gravity-see = What the formula gives for balls from { $height } cm with e = { $restitution }, if g is { $gravity } m/s².
 sheet-gravity-talk-1 = The tennis ball gives too small a g, although it feels less of the air than the table tennis ball. What else takes time at a bounce?
 sheet-gravity-talk-2 = A millimetre of { $height } cm is { $share } %. How large is the error of g that follows from it?

@@ -1,4 +1,5 @@
 sheet-fields = Nombre: _________________________ Clase: ______________ Fecha: ______________
+sheet-set-up = Una pelota sobre el suelo, su altura h, y un teléfono al lado
 sheet-need = Se necesita
 sheet-do = Qué hacer
 sheet-write = Anote
@@ -68,7 +69,7 @@ sheet-gravity-do-2 = Toque «Escuchar» y suelte sin empujar. Suelte la pelota c
 sheet-gravity-do-3 = Anote T₁ y T₂ con cuatro decimales.
 sheet-gravity-work-1 = La pelota llega con v = √(2 g h) y sale con e v. Así, T₁ = 2 e v / g, y e = T₂ / T₁. Muestre que g = 8 h T₂² / T₁⁴.
 sheet-gravity-work-2 = Calcule g en cada ensayo, y después la media y su error típico.
-sheet-gravity-work-3 = En la página, dé la altura en «cambiar», haga inferir la gravedad, y compare.
+sheet-gravity-work-3 = En la página, dé la altura en «cambiar», marque «medir g», y compare.
 sheet-gravity-see = Lo que da la fórmula para pelotas desde { $height } cm con e = { $restitution }, si g es { $gravity } m/s².
 sheet-gravity-talk-1 = La pelota de tenis da un g demasiado pequeño, aunque nota menos el aire que la de tenis de mesa. ¿Qué más lleva tiempo en un rebote?
 sheet-gravity-talk-2 = Un milímetro de { $height } cm es el { $share } %. ¿Qué error de g resulta de ello?

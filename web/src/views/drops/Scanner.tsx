@@ -1,6 +1,5 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { codesIn } from '../../address/drop.ts';
-import { Tool } from '../../app/Tool.tsx';
 import { engine } from '../../state/engine.ts';
 import { text } from '../../text/language.ts';
 
@@ -36,9 +35,13 @@ export function Scanner({ onDrop }: { readonly onDrop: (text: string) => Promise
   };
   return (
     <div class="stack">
-      <Tool pressed={stream !== null} do={() => (stream ? setStream(null) : void start())}>
+      <button
+        type="button"
+        class="button"
+        onClick={() => (stream ? setStream(null) : void start())}
+      >
         {stream ? text('page-scan-stop') : text('page-scan')}
-      </Tool>
+      </button>
       {stream && <video ref={video} class="camera" muted playsInline />}
       {isRefused && (
         <p class="notice" role="alert">

@@ -1,5 +1,5 @@
 import { computed } from '@preact/signals';
-import { useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { NumberField } from '../../app/NumberField.tsx';
 import { catalogue } from '../../state/engine.ts';
 import { lesson } from '../../state/lesson.ts';
@@ -56,11 +56,19 @@ export function BallRow() {
   const isOther = isOwnBall(settings.value) || (asking && kind === undefined);
   const chosen = isOther ? OTHER : (kind ?? UNSTATED);
   const largest = Math.max(...choices.value.map(({ diameter_m }) => diameter_m));
+  const row = useRef<HTMLDivElement>(null);
+  // The ball that was chosen is in sight; until one is, those that are used most.
+  useEffect(() => {
+    const label = row.current?.querySelector(':checked')?.closest('label');
+    if (!row.current || !label || chosen === UNSTATED) return;
+    const [all, one] = [row.current.getBoundingClientRect(), label.getBoundingClientRect()];
+    row.current.scrollLeft += one.left - all.left - (all.width - one.width) / 2;
+  }, [chosen, choices.value]);
   return (
     <fieldset class="balls no-print">
       <legend class="small soft">{text('page-ball-row')}</legend>
       {/* Firefox would stop at what scrolls, before the balls themselves. */}
-      <div class="row" tabIndex={-1}>
+      <div ref={row} class="row" tabIndex={-1}>
         {choices.value.map(({ name, diameter_m }) => (
           <label key={name}>
             <input
