@@ -4,6 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import { newContext } from './harness/browser.ts';
+import { FIREFOX } from './harness/firefox.ts';
 import { fixture } from './harness/fixture.ts';
 import { open } from './support/page.ts';
 
@@ -77,4 +78,29 @@ test('ten minutes of sound can be panned', async () => {
   print(`panning: ${(1000 / meanMs).toFixed(1)} frames a second`);
   await expect.poll(picture).not.toBe(before);
   await page.context().close();
+});
+
+/** A slow telephone network and a processor of a quarter of the speed. */
+const SLOW = { offline: false, latency: 500, downloadThroughput: 50_000, uploadThroughput: 50_000 };
+
+test.skipIf(FIREFOX)('on a slow phone: the first paint, and the first number', async () => {
+  const context = await newContext(here.browser, { locale: 'en-GB' });
+  const page = await context.newPage();
+  const client = await context.newCDPSession(page);
+  await client.send('Network.enable');
+  await client.send('Network.emulateNetworkConditions', SLOW);
+  await client.send('Emulation.setCPUThrottlingRate', { rate: 4 });
+  const start = performance.now();
+  const since = (): string => ((performance.now() - start) / 1000).toFixed(1);
+  await page.goto(here.url, { waitUntil: 'commit' });
+  await page.getByRole('button', { name: 'Listen' }).waitFor();
+  const painted = since();
+  await page.getByRole('radio').first().waitFor({ state: 'attached' });
+  const ready = since();
+  await page.getByRole('button', { name: 'try the demo' }).click();
+  await page.locator('.summary .first').waitFor();
+  print(
+    `slow phone: usable after ${painted} s, engine after ${ready} s, number after ${since()} s`,
+  );
+  await context.close();
 });
