@@ -132,7 +132,7 @@ describe('the same document as the command line', () => {
     const settings: Settings = {
       ball: { kind: 'tennis' },
       air: {
-        drag: 'morrison',
+        drag: 'constant:0.45',
         temperature_k: 298.15,
         pressure_pa: 95_000,
         relative_humidity: 0.3,
@@ -145,7 +145,7 @@ describe('the same document as the command line', () => {
     const words = [
       ...['--ball', 'tennis', '--temperature', '25C', '--pressure', '950hPa', '--humidity', '30%'],
       ...['--latitude', '47.5', '--altitude', '400m', '--height', '60cm', '--height-sd', '3mm'],
-      ...['--drag', 'morrison', '--law', 'constant,power', '--flights', '1..8'],
+      ...['--drag', 'constant:0.45', '--law', 'constant,power', '--flights', '1..8'],
     ];
     expectSameDocument(path, settings, ...words);
   });

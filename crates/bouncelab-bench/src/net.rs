@@ -15,7 +15,7 @@ use bouncelab::analysis::{
     self, Drop, DropTask, Options, Recording, analyze_impacts, impacts_of_times,
 };
 use bouncelab::ball;
-use bouncelab::drag::DragLaw;
+use bouncelab::drag::{DragLaw, DragTable};
 use bouncelab::inference::{ApexTarget, Measured, Posterior, UNKNOWN};
 use bouncelab::restitution::LawKind;
 use bouncelab::{Diagnostic, Estimate, Impact};
@@ -351,7 +351,8 @@ fn simulated(index: usize) -> (String, Vec<Impact>, Options) {
         }
         4 => options.priors.restitution_laws = vec![LawKind::ALL[round % LawKind::ALL.len()]],
         5 => {
-            options.environment.drag = DragLaw::Morrison;
+            let felt = [(1e3, 0.5), (1e4, 0.45), (1e5, 0.5)];
+            options.environment.drag = DragLaw::Table(DragTable::new(&felt).expect("three points"));
             options.flights = Some(1..=4);
             let (bounce, apex_m) = (1, 0.3);
             inference.reach = vec![ApexTarget { bounce, apex_m }];

@@ -179,7 +179,7 @@ impl Drop {
             gravity_m_s2: environment.gravity_m_s2 * (priors.gravity_rel_sd * normal(rng)).exp(),
             // Half of the balls have the drag of the law, half a constant coefficient.
             drag: if rng.random::<bool>() {
-                environment.drag
+                environment.drag.clone()
             } else {
                 DragLaw::Constant(0.4 * (priors.drag_rel_sd * normal(rng)).exp())
             },

@@ -70,7 +70,7 @@ impl World {
                 * off(options.priors.gravity_rel_sd, rng),
             // The law, or a constant coefficient.
             drag: if rng.random() {
-                options.environment.drag
+                options.environment.drag.clone()
             } else {
                 DragLaw::Constant(0.4 * off(options.priors.drag_rel_sd, rng))
             },

@@ -60,11 +60,7 @@ fn with_names(command: Command) -> Command {
 fn with_names_of(argument: Arg) -> Arg {
     let names: Vec<String> = match argument.get_id().as_str() {
         "ball" => texts(ball::presets().iter().map(|preset| preset.name)),
-        "drag" => texts(
-            ["none"]
-                .into_iter()
-                .chain(DragLaw::NAMED.iter().map(DragLaw::name)),
-        ),
+        "drag" => texts(DragLaw::EXAMPLES),
         "law" => texts(LawKind::ALL.iter().map(|law| law.name())),
         "rule" => {
             let rules = rules::built_in().unwrap_or_default();

@@ -1,11 +1,13 @@
 //! The arguments from which [`Settings`] are made.
 
 use std::collections::BTreeMap;
+use std::fs;
 use std::ops::Range;
+use std::path::Path;
 use std::str::FromStr;
 
 use bouncelab::Diagnostic;
-use bouncelab::drag::DragLaw;
+use bouncelab::drag::{DragLaw, DragTable};
 use bouncelab::inference::{ApexTarget, SamplerConfig};
 use bouncelab::restitution::LawKind;
 use bouncelab::settings::{
@@ -49,10 +51,10 @@ pub(crate) struct PhysicsArguments {
     #[arg(long, value_name = "TIME", allow_hyphen_values = true, value_parser = units::time, help_heading = "Ball")]
     contact_time: Option<f64>,
 
-    /// Drag law: none (as if there were no air), constant:0.4, or a sphere law such as morrison [default:
-    /// clift-grace-weber]
-    #[arg(long, value_name = "LAW", help_heading = "Air")]
-    drag: Option<String>,
+    /// Drag law: none (as if there were no air), constant:0.4, standard (that of a smooth sphere), or a file with
+    /// Reynolds number and drag coefficient in each line [default: standard]
+    #[arg(long, value_name = "LAW", value_parser = drag_law, help_heading = "Air")]
+    drag: Option<DragLaw>,
     /// Temperature of the air, as in 20C
     #[arg(long, value_parser = units::temperature, allow_hyphen_values = true, help_heading = "Air")]
     temperature: Option<f64>,
@@ -250,7 +252,7 @@ impl PhysicsArguments {
                 contact_time_s: self.contact_time,
             },
             air: AirSettings {
-                drag: self.drag.clone(),
+                drag: self.drag.as_ref().map(ToString::to_string),
                 temperature_k: self.temperature,
                 pressure_pa: self.pressure,
                 relative_humidity: self.humidity,
@@ -342,10 +344,44 @@ fn laws_help() -> String {
     format!("Restitution laws to consider: {laws} [default: all that the number of impacts allows]")
 }
 
-/// Reads the name of a drag law.
+/// Reads a drag law, or a file with a table of one.
 pub(crate) fn drag_law(text: &str) -> Result<DragLaw, String> {
-    text.parse()
-        .map_err(|refusal: bouncelab::Error| refusal.to_string())
+    let path = Path::new(text);
+    let law = if path.is_file() {
+        let table = fs::read_to_string(path).map_err(|error| format!("{text}: {error}"))?;
+        DragTable::new(&drag_points(&table)?).map(DragLaw::Table)
+    } else {
+        text.parse()
+    };
+    law.map_err(|refusal| refusal.to_string())
+}
+
+/// Points of a table: two numbers a line, separated by a comma, a semicolon, a tab or spaces. The first line may be a
+/// heading, lines that begin with `#` are comments.
+fn drag_points(table: &str) -> Result<Vec<(f64, f64)>, String> {
+    let point = |line: &str| {
+        let mut cells = line
+            .split([',', ';', '\t', ' '])
+            .filter(|cell| !cell.is_empty());
+        let mut number = || cells.next()?.parse::<f64>().ok();
+        let point = (number()?, number()?);
+        cells.next().is_none().then_some(point)
+    };
+    let lines = table.lines().map(str::trim).enumerate();
+    let mut lines = lines
+        .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'))
+        .peekable();
+    lines.next_if(|(_, line)| line.starts_with(|first: char| first.is_alphabetic()));
+    lines
+        .map(|(index, line)| {
+            point(line).ok_or_else(|| {
+                format!(
+                    "line {}: expected Reynolds number and drag coefficient, as in 10000,0.64",
+                    index + 1
+                )
+            })
+        })
+        .collect()
 }
 
 /// Reads the name of an input that may be left to the data.

@@ -65,7 +65,8 @@ const MAX_ROWS: usize = 100;
 
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let physics = arguments.physics.resolve(arguments.history.question())?;
-    let laws = std::iter::once(physics.options.environment.drag).chain(arguments.compare.clone());
+    let laws =
+        std::iter::once(physics.options.environment.drag.clone()).chain(arguments.compare.clone());
     let runs = laws
         .map(|law| arguments.history.run(law, &physics.options))
         .collect::<Result<Vec<Run>, Failure>>()?;
@@ -94,7 +95,7 @@ fn report(runs: &[Run], physics: &Setup) -> String {
     parts.push(String::new());
     parts.push(totals(runs).to_string());
     if let Some(run) = runs.first() {
-        let law = [("law", tables::drag_law(run.law, translator()).into())];
+        let law = [("law", tables::drag_law(&run.law, translator()).into())];
         parts.push(text_with("simulate-each-bounce", &law));
         parts.push(String::new());
         parts.push(bounces(run).to_string());
@@ -116,7 +117,7 @@ fn totals(runs: &[Run]) -> Table {
     let mut columns = vec![(text("column-drag"), Align::Left)];
     columns.extend(
         runs.iter()
-            .map(|run| (tables::drag_law(run.law, translator), Align::Right)),
+            .map(|run| (tables::drag_law(&run.law, translator), Align::Right)),
     );
     let mut table = Table::new(columns);
     let mut row = |id: &str, value: &dyn Fn(&Run) -> String| {
@@ -194,7 +195,7 @@ fn height_chart(runs: &[Run], translator: &Translator) -> Chart {
             Curve {
                 name: text_with(
                     "simulate-drag",
-                    &[("law", tables::drag_law(run.law, translator).into())],
+                    &[("law", tables::drag_law(&run.law, translator).into())],
                 ),
                 meaning: if run.law == DragLaw::None {
                     Meaning::Plain

@@ -188,7 +188,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         allowed.map_err(|reason| Failure::unwritable(file, &reason))?;
     }
     let options = &physics.options;
-    let run = arguments.history.run(options.environment.drag, options)?;
+    let run = arguments
+        .history
+        .run(options.environment.drag.clone(), options)?;
     let strikes: Vec<ImpactEvent> = run.history.impact_events().collect();
     let sound = synth::render(&strikes, &arguments.scene(), arguments.seed)?;
     let format = arguments.bits.format();

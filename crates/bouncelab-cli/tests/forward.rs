@@ -24,7 +24,7 @@ fn simulate_prints_totals_and_bounces() {
         .success()
         .stdout(
             predicate::str::contains("time until the end")
-                .and(predicate::str::contains("clift-grace-weber"))
+                .and(predicate::str::contains("standard curve of a sphere"))
                 .and(predicate::str::contains("none"))
                 .and(predicate::str::contains("Assumed")),
         );

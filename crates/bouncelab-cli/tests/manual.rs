@@ -22,9 +22,9 @@ fn every_shell_gets_completions() {
 fn completions_offer_names() {
     let offered = [
         ("analyze", "--ball", "ten", "tennis"),
-        ("analyze", "--drag", "morr", "morrison"),
+        ("analyze", "--drag", "stan", "standard"),
         ("analyze", "--law", "visc", "viscoelastic"),
-        ("simulate", "--drag", "clift", "clift-grace-weber"),
+        ("simulate", "--drag", "no", "none"),
         ("verdict", "--rule", "ittf-b", "ittf-ball"),
         ("synth", "--voice", "bask", "basketball"),
     ];

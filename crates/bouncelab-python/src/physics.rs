@@ -94,11 +94,10 @@ pub(crate) fn setting_names() -> Result<BTreeMap<String, Vec<String>>> {
         .collect())
 }
 
-/// The drag laws with the greatest Reynolds number of each.
+/// How each drag law is written.
 #[pyfunction]
-pub(crate) fn drag_laws() -> Vec<(&'static str, f64)> {
-    let laws = DragLaw::NAMED.iter();
-    laws.map(|law| (law.name(), law.max_reynolds())).collect()
+pub(crate) fn drag_laws() -> Vec<&'static str> {
+    DragLaw::EXAMPLES.into()
 }
 
 /// The restitution laws: name, example and its formula.

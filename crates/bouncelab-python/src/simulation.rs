@@ -62,7 +62,7 @@ impl Request {
         let start = launched.unwrap_or(Start::Height(self.height_m));
         let stop = Stop::asked(self.until_m, self.bounces);
         let options = &analyzer.setup.options;
-        let law = options.environment.drag;
+        let law = options.environment.drag.clone();
         Ok(Run::simulate(law, options, restitution, start, stop)?)
     }
 }

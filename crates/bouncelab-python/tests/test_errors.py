@@ -100,7 +100,7 @@ WRONG: dict[str, Callable[[], object]] = {
     "a panel that is not": lambda: bl.analyze_times(TIMES_S, draws=None).figure("drag").to_matplotlib(panel=9),
     "a negative Reynolds number": lambda: bl.drag_coefficient([-1.0]),
     "no Reynolds number": lambda: bl.drag_coefficient(["a"]),
-    "a law beyond its range": lambda: bl.drag_coefficient([1e9], law="morrison"),
+    "a table beyond its end": lambda: bl.drag_coefficient([1e9], law="table:1000=0.5"),
     "air of shapes": lambda: bl.air_density_kg_m3([290.0, 300.0], [1e5, 1e5, 1e5]),
     "cold airs": lambda: bl.air_viscosity_pa_s([290.0, 10.0]),
     "two quantities of a flight": lambda: bl.flights([1.0], apex_m=[0.1]),

@@ -32,7 +32,7 @@ def everything() -> dict[str, object]:
     band = bl.analyze(sound.samples, sound.sample_rate_hz, draws=None).strongest_band
     exceptions = [getattr(bl, name)("what was wrong") for name in bl.__all__ if name.endswith("Error")]
     objects = [
-        *exceptions, bl.air(), bl.presets()[0], bl.drag_laws()[0], bl.restitution_laws()[0], recording, recording.source,
+        *exceptions, bl.air(), bl.presets()[0], bl.restitution_laws()[0], recording, recording.source,
         recording.settings, recording.settings.ball, recording.settings.air, recording.settings.gravity, recording.drops,
         recording.impacts, recording.impacts.columns[0], drop, drop.draws, drop.balls[0],
         drop.figure("height"), drop.log_linear_fit, drop.per_impact, posterior, posterior.restitution,

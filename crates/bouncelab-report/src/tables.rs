@@ -112,12 +112,11 @@ pub fn restitution_law(law: LawKind, translator: &Translator) -> String {
     translator.text(&format!("restitution-law-{}", law.name()))
 }
 
-/// The name of a drag law; laws that are named after people keep theirs in every language.
-pub fn drag_law(law: DragLaw, translator: &Translator) -> String {
-    match law {
-        DragLaw::None => translator.text("drag-none"),
+/// The name of a drag law.
+pub fn drag_law(law: &DragLaw, translator: &Translator) -> String {
+    match *law {
         DragLaw::Constant(c) => translator.text_with("drag-constant", &[("coefficient", c.into())]),
-        _ => law.to_string(),
+        _ => translator.text(&format!("drag-{}", law.name())),
     }
 }
 

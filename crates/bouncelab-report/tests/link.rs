@@ -53,7 +53,7 @@ fn all_stated() -> Settings {
             contact_time_s: Some(0.000_9),
         },
         air: AirSettings {
-            drag: Some("clift-grace-weber".to_owned()),
+            drag: Some("standard".to_owned()),
             temperature_k: Some(21.5 + 273.15),
             pressure_pa: Some(98_750.0),
             relative_humidity: Some(0.47),

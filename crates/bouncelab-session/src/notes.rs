@@ -354,14 +354,14 @@ mod tests {
 
     #[test]
     fn a_session_file_with_everything() {
-        let text = "title = \"Class 9b\"\npattern = \"{ball}_{}\"\n[settings.air]\ndrag = \"morrison\"\n\
+        let text = "title = \"Class 9b\"\npattern = \"{ball}_{}\"\n[settings.air]\ndrag = \"constant:0.45\"\n\
                     [settings.inference]\nknown = { mass = 0.001 }\n[all]\ntemperature = 21.5\n\
                     [balls.red]\nkind = \"table-tennis-40\"\n[recordings.\"a.wav\"]\n\
                     height = \"30.5 cm\"\nlid = true\n";
         let (_folder, path) = written("session.toml", text.as_bytes());
         let file = SessionFile::read(&path).unwrap();
         assert_eq!(file.title.as_deref(), Some("Class 9b"));
-        assert_eq!(file.settings.air.drag.as_deref(), Some("morrison"));
+        assert_eq!(file.settings.air.drag.as_deref(), Some("constant:0.45"));
         assert!((file.settings.inference.known.unwrap()[&Input::Mass] - 0.001).abs() < 1e-12);
         assert_eq!(file.all["temperature"].text, "21.5");
         assert_eq!(file.balls["red"]["kind"].text, "table-tennis-40");

@@ -93,7 +93,7 @@ fn another_setting_is_another_key() {
     let others = [
         options().without_inference(),
         options().with_gravity_m_s2(9.81),
-        options().with_drag("morrison".parse().unwrap()),
+        options().with_drag("constant:0.45".parse().unwrap()),
         options().with_priors(priors),
     ];
     for other in others {

@@ -16,7 +16,7 @@ use std::iter::successors;
 use std::path::{Path, PathBuf};
 
 use bouncelab::Options;
-use bouncelab::drag::DragLaw;
+use bouncelab::drag::{DragLaw, DragTable};
 use bouncelab::flight::FlightModel;
 use bouncelab::gravity;
 use bouncelab::impact::ImpactEvent;
@@ -35,6 +35,18 @@ pub fn write_wav(
 ) {
     let wav = encode_wav(sample_rate_hz, format, channels).expect("samples of a WAV file");
     fs::write(path, wav).expect("a file that can be written");
+}
+
+/// The drag of a smooth sphere by the formula of Clift and Gauvin (1971), as a table up to a Reynolds number of 1e5.
+pub fn clift_gauvin() -> DragLaw {
+    let points = [
+        (100.0, 1.0938),
+        (1000.0, 0.4662),
+        (6200.0, 0.3937),
+        (2e4, 0.4559),
+        (1e5, 0.4918),
+    ];
+    DragLaw::Table(DragTable::new(&points).expect("five points"))
 }
 
 /// Flights of a table-tennis ball under this drag law, in ordinary air with buoyancy and added mass, with 9.81 m/s².

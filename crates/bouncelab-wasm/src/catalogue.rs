@@ -6,7 +6,7 @@ use bouncelab::restitution::LawKind;
 use bouncelab::synth::Voice;
 use bouncelab::{ball, gravity};
 
-use crate::wire::{BallPreset, Body, Catalogue, DragLawEntry, RestitutionLawEntry};
+use crate::wire::{BallPreset, Body, Catalogue, RestitutionLawEntry};
 
 /// Everything that a page can offer.
 ///
@@ -28,14 +28,7 @@ pub fn catalogue() -> bouncelab::Result<Catalogue> {
                 source: preset.source.to_owned(),
             })
             .collect(),
-        drag_laws: DragLaw::NAMED
-            .iter()
-            .map(|law| DragLawEntry {
-                name: law.name().to_owned(),
-                max_reynolds: Some(law.max_reynolds()).filter(|end| end.is_finite()),
-            })
-            .collect(),
-        usual_drag_law: DragLaw::CliftGraceWeber.name().to_owned(),
+        drag_laws: DragLaw::EXAMPLES.map(str::to_owned).into(),
         restitution_laws: LawKind::ALL
             .iter()
             .map(|law| RestitutionLawEntry {

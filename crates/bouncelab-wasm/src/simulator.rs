@@ -31,7 +31,7 @@ pub fn simulate(request: &SimulationRequest, translator: &Translator) -> Result<
     let compared: Vec<DragLaw> = compared
         .map(|law| law.parse())
         .collect::<bouncelab::Result<_>>()?;
-    let laws = std::iter::once(settings.environment.drag).chain(compared);
+    let laws = std::iter::once(settings.environment.drag.clone()).chain(compared);
     let runs = laws
         .map(|law| run(law, settings, request))
         .collect::<Result<Vec<Run>>>()?;
@@ -93,7 +93,7 @@ fn run(law: DragLaw, settings: &Options, request: &SimulationRequest) -> Result<
 }
 
 fn history(settings: &Options, request: &SimulationRequest) -> Result<History> {
-    Ok(run(settings.environment.drag, settings, request)?.history)
+    Ok(run(settings.environment.drag.clone(), settings, request)?.history)
 }
 
 /// The sound of the drop of a request, under the drag law of its settings.

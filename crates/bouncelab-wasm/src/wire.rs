@@ -28,10 +28,8 @@ pub struct Catalogue {
     pub version: String,
     /// Balls by name, the first being the usual one.
     pub balls: Vec<BallPreset>,
-    /// Drag laws by name; besides there are `none` and `constant:0.4`.
-    pub drag_laws: Vec<DragLawEntry>,
-    /// The drag law that is assumed.
-    pub usual_drag_law: String,
+    /// Drag laws with an example of their numbers, the first being the usual one.
+    pub drag_laws: Vec<String>,
     /// Restitution laws, for the inference and for simulations.
     pub restitution_laws: Vec<RestitutionLawEntry>,
     /// What an impact can sound like.
@@ -70,16 +68,6 @@ pub struct BallPreset {
     pub contact_time_s: f64,
     /// Where mass and diameter come from.
     pub source: String,
-}
-
-/// A drag law.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct DragLawEntry {
-    /// Name, as in settings.
-    pub name: String,
-    /// Upper end of its range; `null` if it has none.
-    pub max_reynolds: Option<f64>,
 }
 
 /// Gravity and air of a celestial body.

@@ -310,8 +310,8 @@ codes! {
     OutOfRange = "out-of-range", Error, ["quantity", "value", "unit?", "range", "low?", "high?"];
     /// A name is not in the list.
     UnknownName = "unknown-name", Error, ["kind", "name", "nearest", "known"];
-    /// The ball is faster than the drag law is valid for.
-    ReynoldsTooHigh = "reynolds-too-high", Error, ["law", "reynolds", "max_reynolds"];
+    /// The ball is faster than a drag table states.
+    ReynoldsTooHigh = "reynolds-too-high", Error, ["reynolds", "max_reynolds"];
     /// The ball is lighter than the air it displaces.
     BallFloats = "ball-floats", Error, ["mass_kg", "displaced_kg"];
     /// The drop does not end.

@@ -241,7 +241,7 @@ pub fn simulate(
         bounces.push(bounce);
     }
     Ok(History {
-        model: *model,
+        model: model.clone(),
         contact_time_s: contact.contact_time_s(),
         opening,
         bounces,

@@ -34,7 +34,7 @@ proptest! {
         contact_time_s in 0.0..2e-3_f64,
         pick in 0..3_usize,
     ) {
-        let law = [DragLaw::None, DragLaw::Constant(0.45), DragLaw::CliftGraceWeber][pick];
+        let law = [DragLaw::None, DragLaw::Constant(0.45), DragLaw::Standard][pick].clone();
         let model = table_tennis(law);
         let made = history(&model, Restitution::linear(at_rest, loss).unwrap(), contact_time_s);
         let found = of_impacts(&heard(&made, None), contact_time_s, &model).unwrap();
@@ -82,8 +82,8 @@ fn the_bare_ratio_is_biased_by_drag() {
 /// The gradient and the standard error against finite differences in each of the three times.
 #[test]
 fn errors_follow_the_times() {
-    for law in [DragLaw::Constant(0.45), DragLaw::CliftGraceWeber] {
-        let model = table_tennis(law);
+    for law in [DragLaw::Constant(0.45), DragLaw::Standard] {
+        let model = table_tennis(law.clone());
         let sigma = 1e-4;
         let made = history(&model, Restitution::constant(0.93).unwrap(), 1e-3);
         let impacts = heard(&made, Some(sigma));
@@ -116,7 +116,7 @@ fn errors_follow_the_times() {
 /// A missed impact leaves a gap: no flight across it, no restitution beside it, the rest as before.
 #[test]
 fn gaps_are_skipped() {
-    let model = table_tennis(DragLaw::CliftGraceWeber);
+    let model = table_tennis(DragLaw::Standard);
     let made = history(&model, Restitution::constant(0.93).unwrap(), 0.0);
     let all = heard(&made, Some(1e-4));
     let whole = of_impacts(&all, 0.0, &model).unwrap();

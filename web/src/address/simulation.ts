@@ -21,7 +21,7 @@ export const USUAL: SimulationSetup = {
   restitution: 0.94,
   slope: 0,
   ball: 'table-tennis-40',
-  drag: 'clift-grace-weber',
+  drag: 'standard',
   body: 'earth',
   law: '',
   air: 1,

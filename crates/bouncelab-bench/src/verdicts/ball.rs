@@ -128,10 +128,14 @@ impl RealBall {
         let first_m_s = self.model.fall(height_m).unwrap().impact_speed_m_s;
         let restitution =
             |speed_m_s| self.law.at(speed_m_s) * livelier * (SCATTER * normal(chance)).exp();
-        let strikes: Vec<ImpactEvent> =
-            bouncing(self.model, self.contact_time_s, first_m_s, restitution)
-                .take(MAX_IMPACTS)
-                .collect();
+        let strikes: Vec<ImpactEvent> = bouncing(
+            self.model.clone(),
+            self.contact_time_s,
+            first_m_s,
+            restitution,
+        )
+        .take(MAX_IMPACTS)
+        .collect();
         let impacts = strikes.iter().zip(1..).map(|(strike, number)| {
             let time_s = strike.time_s + TIMING_S * normal(chance);
             Impact::new(number, time_s).with_time_sd_s(TIMING_S)

@@ -21,7 +21,7 @@ pub(super) fn lines(drop: &Drop, physics: &Setup, details: bool) -> Vec<String> 
     let lists = quantities::of_drop(drop, &physics.options, translator());
     let listed = |method: Method, heading: String| listed(&lists, method, heading, details);
     lines.extend(listed(Method::Inference, text("analyze-inference-heading")));
-    let law = tables::drag_law(physics.options.environment.drag, translator());
+    let law = tables::drag_law(&physics.options.environment.drag, translator());
     let heading = text_with("analyze-corrected-heading", &[("law", law.into())]);
     lines.extend(match &drop.per_impact {
         Ok(_) => listed(Method::PerImpact, heading),

@@ -60,7 +60,6 @@ if TYPE_CHECKING:
     )
     from bouncelab._figure import Figure
     from bouncelab._physics import (
-        DragLaw,
         RestitutionLaw,
         air,
         air_density_kg_m3,
@@ -98,7 +97,7 @@ _PLACES = {
     ),
     "_figure": "Figure",
     "_physics": (
-        "DragLaw RestitutionLaw air air_density_kg_m3 air_viscosity_pa_s diagnostic_codes drag_coefficient drag_laws "
+        "RestitutionLaw air air_density_kg_m3 air_viscosity_pa_s diagnostic_codes drag_coefficient drag_laws "
         "falls flights gravity_m_s2 languages presets restitution_laws terminal_speed_m_s"
     ),
     "_recording": "Draws Drop Drops Recording",
@@ -124,7 +123,6 @@ __all__ = [
     "Correlations",
     "Detector",
     "Diagnostic",
-    "DragLaw",
     "Draws",
     "Drop",
     "Drops",

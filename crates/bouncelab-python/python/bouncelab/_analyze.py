@@ -140,7 +140,7 @@ def analyze(
         air : Air, or temperature_k, pressure_pa, relative_humidity, or density_kg_m3, viscosity_pa_s : float
             The air; a density of 0 is vacuum.
         drag : str
-            One of :func:`drag_laws`, ``"none"`` or ``"constant:0.4"``.
+            As :func:`drag_laws` writes them.
         buoyancy, added_mass : bool
             Whether these forces count; usually they do.
         gravity_m_s2 : float, or latitude_deg, altitude_m : float

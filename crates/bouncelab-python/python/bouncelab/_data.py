@@ -290,8 +290,8 @@ class AirUsed:
     Examples
     --------
     >>> import bouncelab as bl
-    >>> bl.analyze_times([0.0, 0.5, 0.9], draws=None, drag="morrison").settings.air.drag
-    'morrison'
+    >>> bl.analyze_times([0.0, 0.5, 0.9], draws=None, drag="constant:0.45").settings.air.drag
+    'constant:0.45'
     """
 
     density_kg_m3: float

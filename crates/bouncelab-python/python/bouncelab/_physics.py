@@ -17,28 +17,6 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class DragLaw:
-    """A drag law.
-
-    Attributes
-    ----------
-    name : str
-        As in ``drag=`` of :func:`analyze`.
-    max_reynolds : float
-        Reynolds number up to which its authors vouch for it; infinite if they state none.
-
-    Examples
-    --------
-    >>> import bouncelab as bl
-    >>> {law.name: law.max_reynolds for law in bl.drag_laws()}["schiller-naumann"]
-    800.0
-    """
-
-    name: str
-    max_reynolds: float
-
-
-@dataclass(frozen=True, slots=True)
 class RestitutionLaw:
     """A restitution law.
 
@@ -80,21 +58,22 @@ def presets() -> tuple[Ball, ...]:
     return tuple(Ball(*preset) for preset in _core.balls())
 
 
-def drag_laws() -> tuple[DragLaw, ...]:
-    """Return the drag laws; besides there are ``"none"`` and ``"constant:0.4"``.
+def drag_laws() -> tuple[str, ...]:
+    """Return how each drag law is written, with an example of its numbers.
 
     Returns
     -------
-    tuple of DragLaw
-        Those of spheres, by the names of their authors.
+    tuple of str
+        As for ``drag=`` of :func:`analyze`. The first is the usual one; points of a table are Reynolds number and
+        drag coefficient.
 
     Examples
     --------
     >>> import bouncelab as bl
-    >>> "morrison" in [law.name for law in bl.drag_laws()]
-    True
+    >>> bl.drag_laws()
+    ('standard', 'none', 'constant:0.4', 'table:10000=0.64,100000=0.58')
     """
-    return tuple(DragLaw(*law) for law in _core.drag_laws())
+    return tuple(_core.drag_laws())
 
 
 def restitution_laws() -> tuple[RestitutionLaw, ...]:
@@ -115,15 +94,15 @@ def restitution_laws() -> tuple[RestitutionLaw, ...]:
     return tuple(RestitutionLaw(*law) for law in _core.restitution_laws())
 
 
-def drag_coefficient(reynolds: ArrayLike, law: str = "clift-grace-weber") -> NDArray[np.float64]:
-    """Return the drag coefficient of a smooth sphere.
+def drag_coefficient(reynolds: ArrayLike, law: str = "standard") -> NDArray[np.float64]:
+    """Return the drag coefficient of a law.
 
     Parameters
     ----------
     reynolds : array_like of float
         Reynolds numbers of the diameter, of any shape.
     law : str
-        One of :func:`drag_laws`, ``"none"`` or ``"constant:0.4"``.
+        As :func:`drag_laws` writes them.
 
     Returns
     -------
@@ -135,12 +114,12 @@ def drag_coefficient(reynolds: ArrayLike, law: str = "clift-grace-weber") -> NDA
     UnknownNameError
         If there is no such law.
     PhysicsError, OutOfRangeError
-        If a Reynolds number lies outside the law.
+        If a Reynolds number is negative or beyond the last point of a table.
 
     Notes
     -----
-    ``clift-grace-weber`` is the standard drag curve of Clift, Grace and Weber, *Bubbles, Drops, and
-    Particles* (1978), Table 5.2.
+    ``standard`` is the drag curve of a smooth sphere of Clift, Grace and Weber, *Bubbles, Drops, and
+    Particles* (1978), Table 5.2. Between two points of a table the coefficient is a power of the Reynolds number.
 
     Examples
     --------
@@ -411,7 +390,7 @@ def terminal_speed_m_s(**settings: Unpack[PhysicsOptions]) -> float:
     Returns
     -------
     float
-        Terminal speed in m/s; infinite without drag, and where the drag law ends below it.
+        Terminal speed in m/s; infinite without drag, and where a drag table ends below it.
 
     Raises
     ------

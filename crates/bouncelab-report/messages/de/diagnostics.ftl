@@ -124,7 +124,7 @@ diagnostic-out-of-range = { $quantity }: { $value }{ $unit ->
    *[finite] endlich
   }
 diagnostic-unknown-name = { $kind } „{ $name }“ gibt es nicht; am nächsten kommt „{ $nearest }“ (bekannt: { $known }).
-diagnostic-reynolds-too-high = Das Widerstandsgesetz { $law } ist bis zur Reynolds-Zahl { $max_reynolds } bekannt, der Ball erreicht aber { $reynolds }; wähle ein Gesetz, das weiter reicht (clift-grace-weber hat kein Ende), oder einen langsameren Ball.
+diagnostic-reynolds-too-high = Die Tabelle des Luftwiderstands endet bei der Reynolds-Zahl { $max_reynolds }, der Ball erreicht aber { $reynolds }; ergänze dort einen Wert oder wähle die Standardkurve.
 diagnostic-ball-floats = Der Ball wiegt { $mass_kg } und verdrängt { $displaced_kg } Luft, er schwebt also; prüfe Masse und Durchmesser, oder lass den Auftrieb weg.
 diagnostic-endless-drop = Der Ball steigt noch { $apex_m } nach { $bounces } Sprüngen; senke die Stoßzahl, höre bei größerer Höhe auf, oder begnüge dich mit { $bounces } Sprüngen.
 diagnostic-too-few-flights = Eine Ausgleichsgerade durch die Logarithmen der Flugzeiten braucht mindestens 2 Flüge, hier { $flights ->

@@ -51,7 +51,7 @@ figure-comparison-title = Der Versuch und eine Simulation davon
 figure-comparison-tab = Vergleich
 figure-comparison-caption = Wo sich die Kurven trennen, fehlt dem Modell etwas, oder ein Aufprall ist keiner.
 figure-comparison-empty = Hier gibt es keine Höhen zu zeigen.
-figure-comparison-best-fit = bestes Modell
+figure-comparison-best-fit = simuliert, mit 95 %
 figure-comparison-measured = gemessen
 figure-comparison-simulation = deine Simulation
 

@@ -245,7 +245,8 @@ page-settings-latitude = Geografische Breite
 page-settings-altitude = Höhe über dem Meer
 page-settings-drag-law = Luftwiderstand
 page-settings-drag-none = keiner, als gäbe es keine Luft
-page-settings-drag-constant = gleichbleibend, C_D = 0,4
+page-settings-drag-standard = Standardkurve einer Kugel
+page-settings-drag-table = eigene Tabelle von C_D
 page-settings-restitution-law = Stoßzahl
 page-settings-restitution-any = jedes Gesetz, das passt
 page-settings-measured = Der Versuch, falls gemessen

@@ -81,3 +81,5 @@ source-number-of-impacts = Zahl der Aufpralle
 
 drag-none = keiner
 drag-constant = C_D = { $coefficient }
+drag-standard = Standardkurve einer Kugel
+drag-table = eigene Tabelle

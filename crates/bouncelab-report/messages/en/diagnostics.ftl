@@ -127,7 +127,7 @@ diagnostic-out-of-range = { $quantity } is { $value }{ $unit ->
    *[finite] finite
   }
 diagnostic-unknown-name = No { $kind } is called “{ $name }”; the nearest is “{ $nearest }” (known: { $known }).
-diagnostic-reynolds-too-high = The drag law { $law } is valid up to Reynolds number { $max_reynolds }, but the ball reaches { $reynolds }; choose a law with a wider range (clift-grace-weber has no upper end) or a slower ball.
+diagnostic-reynolds-too-high = The drag table ends at Reynolds number { $max_reynolds }, but the ball reaches { $reynolds }; add a point there or choose the standard curve.
 diagnostic-ball-floats = The ball weighs { $mass_kg } and displaces { $displaced_kg } of air, so it floats; check mass and diameter, or neglect buoyancy.
 diagnostic-endless-drop = The ball still rises { $apex_m } after { $bounces } bounces; lower the restitution, stop at a greater height, or ask for at most { $bounces } bounces.
 diagnostic-too-few-flights = A log-linear fit of the flight times needs at least 2 flights, and there { $flights ->

@@ -53,7 +53,7 @@ figure-comparison-title = The drop and a simulation of it
 figure-comparison-tab = Compare
 figure-comparison-caption = Where the curves differ, the model is incomplete, or an impact is another sound.
 figure-comparison-empty = There are no heights to show.
-figure-comparison-best-fit = best-fit model
+figure-comparison-best-fit = simulated, with 95 %
 figure-comparison-measured = measured
 figure-comparison-simulation = your simulation
 

@@ -247,7 +247,8 @@ page-settings-latitude = Latitude
 page-settings-altitude = Altitude above sea level
 page-settings-drag-law = Drag of the air
 page-settings-drag-none = none, air neglected
-page-settings-drag-constant = constant, C_D = 0.4
+page-settings-drag-standard = standard curve of a sphere
+page-settings-drag-table = own table of C_D
 page-settings-restitution-law = Restitution
 page-settings-restitution-any = all laws
 page-settings-measured = The drop, if measured

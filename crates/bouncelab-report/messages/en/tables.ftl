@@ -81,3 +81,5 @@ source-number-of-impacts = number of impacts
 
 drag-none = none
 drag-constant = C_D = { $coefficient }
+drag-standard = standard curve of a sphere
+drag-table = own table

@@ -121,7 +121,7 @@ diagnostic-out-of-range = { $quantity }: { $value }{ $unit ->
    *[finite] finito
   }
 diagnostic-unknown-name = Nombre desconocido ({ $kind }): «{ $name }»; el más próximo es «{ $nearest }» (conocidos: { $known }).
-diagnostic-reynolds-too-high = La ley de arrastre { $law } es válida hasta el número de Reynolds { $max_reynolds }, pero la pelota alcanza { $reynolds }; elija una ley de intervalo más amplio (clift-grace-weber no tiene límite superior) o una pelota más lenta.
+diagnostic-reynolds-too-high = La tabla de arrastre termina en el número de Reynolds { $max_reynolds }, pero la pelota alcanza { $reynolds }; añada allí un punto o elija la curva estándar.
 diagnostic-ball-floats = La pelota pesa { $mass_kg } y desplaza { $displaced_kg } de aire, así que flota; compruebe la masa y el diámetro, o no cuente el empuje.
 diagnostic-endless-drop = La pelota aún sube { $apex_m } después de { $bounces } rebotes; reduzca la restitución, pare a una altura mayor, o pida como mucho { $bounces } rebotes.
 diagnostic-too-few-flights = Un ajuste log-lineal de los tiempos de vuelo necesita al menos 2 vuelos, y hay { $flights }; use una grabación con al menos 3 impactos, o un intervalo más amplio de vuelos.

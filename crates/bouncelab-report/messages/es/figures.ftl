@@ -51,7 +51,7 @@ figure-comparison-title = El ensayo y su simulación
 figure-comparison-tab = Comparar
 figure-comparison-caption = Donde las curvas se separan, el modelo es incompleto o un impacto es otro sonido.
 figure-comparison-empty = No hay alturas que mostrar.
-figure-comparison-best-fit = mejor modelo
+figure-comparison-best-fit = simulada, con 95 %
 figure-comparison-measured = medido
 figure-comparison-simulation = su simulación
 

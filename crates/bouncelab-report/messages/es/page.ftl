@@ -248,7 +248,8 @@ page-settings-latitude = Latitud
 page-settings-altitude = Altitud
 page-settings-drag-law = Arrastre del aire
 page-settings-drag-none = ninguno, sin contar el aire
-page-settings-drag-constant = constante, C_D = 0,4
+page-settings-drag-standard = curva estándar de una esfera
+page-settings-drag-table = tabla propia de C_D
 page-settings-restitution-law = Restitución
 page-settings-restitution-any = todas las leyes
 page-settings-measured = El ensayo, si se midió

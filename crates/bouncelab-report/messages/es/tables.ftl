@@ -79,3 +79,5 @@ source-number-of-impacts = número de impactos
 
 drag-none = ninguno
 drag-constant = C_D = { $coefficient }
+drag-standard = curva estándar de una esfera
+drag-table = tabla propia

@@ -51,7 +51,7 @@ figure-comparison-title = L’essai et sa simulation
 figure-comparison-tab = Comparer
 figure-comparison-caption = Là où les courbes se séparent, le modèle est incomplet, ou un impact est un autre son.
 figure-comparison-empty = Il n’y a pas de hauteur à montrer.
-figure-comparison-best-fit = meilleur modèle
+figure-comparison-best-fit = simulée, avec 95 %
 figure-comparison-measured = mesuré
 figure-comparison-simulation = votre simulation
 

@@ -248,7 +248,8 @@ page-settings-latitude = Latitude
 page-settings-altitude = Altitude
 page-settings-drag-law = Traînée de l’air
 page-settings-drag-none = aucune, air négligé
-page-settings-drag-constant = constante, C_D = 0,4
+page-settings-drag-standard = courbe standard d’une sphère
+page-settings-drag-table = table de C_D fournie
 page-settings-restitution-law = Restitution
 page-settings-restitution-any = toutes les lois
 page-settings-measured = L’essai, s’il est mesuré

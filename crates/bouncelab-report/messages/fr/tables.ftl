@@ -79,3 +79,5 @@ source-number-of-impacts = nombre d’impacts
 
 drag-none = aucune
 drag-constant = C_D = { $coefficient }
+drag-standard = courbe standard d’une sphère
+drag-table = table fournie

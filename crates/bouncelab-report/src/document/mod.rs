@@ -113,7 +113,7 @@ impl SettingsUsed {
         let Environment {
             gravity_m_s2,
             air,
-            drag,
+            ref drag,
             buoyancy,
             added_mass,
         } = options.environment;

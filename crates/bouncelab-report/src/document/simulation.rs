@@ -50,7 +50,7 @@ impl Run {
         start: Start,
         stop: Stop,
     ) -> bouncelab::Result<Self> {
-        let model = options.clone().with_drag(law).model()?;
+        let model = options.clone().with_drag(law.clone()).model()?;
         let contact = Contact::new(restitution, options.contact_time_s)?;
         Ok(Self {
             law,

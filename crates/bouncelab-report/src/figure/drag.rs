@@ -40,7 +40,7 @@ pub fn drag_of_settings(
     let curves = settings.drag_curves(fastest_m_s).ok()?.into_iter();
     let curves: Vec<Curve> = curves
         .map(|curve| Curve {
-            name: drag_law(curve.law, translator),
+            name: drag_law(&curve.law, translator),
             meaning: if curve.is_chosen {
                 Meaning::Drag
             } else {

@@ -1,6 +1,6 @@
 //! Height against time (paper, Figs. 2 and 8).
 
-use bouncelab::analysis::HeightHistory;
+use bouncelab::analysis::{HeightHistory, SimulatedHistory};
 
 use super::{Curve, FigureInput, curve_layers};
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Point, Scale, xs, ys};
@@ -12,7 +12,7 @@ use crate::theme::Meaning;
 /// Height against time by the flight model, from impact to impact, with the measured apexes.
 pub(super) fn of_drop(input: &FigureInput<'_>, translator: &Translator) -> Chart {
     let HeightHistory { points, apexes, .. } = input.drop.height_history(input.settings);
-    let drag = drag_law(input.settings.environment.drag, translator);
+    let drag = drag_law(&input.settings.environment.drag, translator);
     let name = translator.text_with("figure-height-model", &[("drag", drag.into())]);
     let meaning = Meaning::Drag;
     let curve = Curve {
@@ -23,32 +23,31 @@ pub(super) fn of_drop(input: &FigureInput<'_>, translator: &Translator) -> Chart
     height("height", &[curve], &apexes, translator)
 }
 
-/// Height against time as measured, over the drop that the answers describe or a simulation of the
-/// reader.
+/// Height against time as measured, over the drop that the posterior describes or a simulation of the reader.
 pub(super) fn comparison(input: &FigureInput<'_>, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-comparison-{id}"));
-    let (name, simulated) = match input.simulation {
-        Some(points) => (text("simulation"), points.to_vec()),
-        None => (
-            text("best-fit"),
-            input
-                .drop
-                .best_fit_history(input.settings)
-                .unwrap_or_default(),
-        ),
+    let (name, points, band) = match input.simulation {
+        Some(points) => (text("simulation"), points.to_vec(), Vec::new()),
+        None => {
+            let simulated = input.drop.simulated_history(input.settings);
+            let SimulatedHistory { points, band, .. } = simulated.unwrap_or_default();
+            (text("best-fit"), points, band)
+        }
     };
     let measured = input.drop.height_history(input.settings).points;
-    let simulated = Curve {
-        name,
-        meaning: Meaning::Drag,
-        points: simulated,
-    };
-    let measured = Curve {
-        name: text("measured"),
-        meaning: Meaning::Measured,
-        points: measured,
-    };
-    let mut chart = height("comparison", &[simulated, measured], &[], translator);
+    let curves = [
+        Curve {
+            name,
+            meaning: Meaning::Drag,
+            points,
+        },
+        Curve {
+            name: text("measured"),
+            meaning: Meaning::Measured,
+            points: measured,
+        },
+    ];
+    let mut chart = with_band("comparison", &curves, &band, &[], translator);
     if let Some(measured) = chart.panels.first_mut().and_then(|p| p.layers.pop()) {
         chart.panels[0].layers.push(measured.with_width(1.25));
     }
@@ -58,6 +57,17 @@ pub(super) fn comparison(input: &FigureInput<'_>, translator: &Translator) -> Ch
 /// Curves of height in metres against time in seconds, and measured apexes as dots. The axis is in
 /// micrometres to metres, whichever suits.
 pub fn height(id: &str, curves: &[Curve], apexes: &[Point], translator: &Translator) -> Chart {
+    with_band(id, curves, &[], apexes, translator)
+}
+
+/// The same over a band: time in seconds, lower and upper height in metres.
+fn with_band(
+    id: &str,
+    curves: &[Curve],
+    band: &[[f64; 3]],
+    apexes: &[Point],
+    translator: &Translator,
+) -> Chart {
     let layers = curve_layers(curves);
     let highest = ys(&layers).chain(apexes.iter().map(|p| p[1]));
     let highest = highest.fold(0.0, f64::max);
@@ -74,6 +84,12 @@ pub fn height(id: &str, curves: &[Curve], apexes: &[Point], translator: &Transla
         })
         .collect();
     let mut layers = curve_layers(&curves);
+    if !band.is_empty() {
+        let band = band
+            .iter()
+            .map(|[t, low, high]| [*t, low / metres, high / metres]);
+        layers.insert(0, Layer::band(Meaning::Drag, band.collect()).pale(0.3));
+    }
     if !apexes.is_empty() {
         let name = translator.text("figure-height-apexes");
         let apexes = Layer::points(Meaning::Measured, Marker::Dot, scaled(apexes));

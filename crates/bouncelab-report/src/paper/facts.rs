@@ -224,7 +224,7 @@ fn forces_and_speeds() -> Result<Vec<Fact>> {
     let buoyancy_n = ball.buoyancy_n(&air, GRAVITY_M_S2);
     let plain_speed = model(DragLaw::None)?.fall(DROP_HEIGHT_M)?.impact_speed_m_s;
     let constant = model(CONSTANT)?;
-    let curve = model(DragLaw::CliftGraceWeber)?;
+    let curve = model(DragLaw::Standard)?;
     let terminal = |model: &bouncelab::flight::FlightModel| {
         model.terminal_speed_m_s().unwrap_or(f64::INFINITY)
     };

@@ -118,8 +118,8 @@ fn flight_times(translator: &Translator) -> Result<Chart> {
 pub(super) fn drag(axes: DragAxes, fastest_m_s: f64, translator: &Translator) -> Result<Chart> {
     let curves = [
         (
-            "C_D(Re): clift-grace-weber",
-            DragLaw::CliftGraceWeber,
+            "C_D(Re): Clift, Grace, Weber",
+            DragLaw::Standard,
             Meaning::Drag,
         ),
         ("C_D = 0.4", CONSTANT, Meaning::Plain),
@@ -151,11 +151,7 @@ fn height_with_drag(translator: &Translator) -> Result<Chart> {
         "height",
         &[
             curve("C_D = 0.4", Meaning::Plain, &history(CONSTANT)?),
-            curve(
-                "C_D(Re)",
-                Meaning::Drag,
-                &history(DragLaw::CliftGraceWeber)?,
-            ),
+            curve("C_D(Re)", Meaning::Drag, &history(DragLaw::Standard)?),
         ],
         &[],
         translator,

@@ -65,8 +65,8 @@ fn law_of(kind: LawKind, level: f64, slope: f64) -> Result<Restitution> {
 pub fn explanations() -> Result<Vec<Explanation>> {
     let drag_free = FlightModel::drag_free(GRAVITY_M_S2)?;
     let constant_drag = experiment::model(CONSTANT)?;
-    let sphere_drag = experiment::model(DragLaw::CliftGraceWeber)?;
-    let all_of_air = experiment::model_with_buoyancy(DragLaw::CliftGraceWeber)?;
+    let sphere_drag = experiment::model(DragLaw::Standard)?;
+    let all_of_air = experiment::model_with_buoyancy(DragLaw::Standard)?;
     let constant = LawKind::Constant;
     let mut tried = vec![explain(constant, "none", &drag_free, 10)?];
     for flights in [5, 10, 15, 20, 30] {

@@ -159,7 +159,7 @@ fn laws(settings: &Options, translator: &Translator) -> [Fact; 2] {
     [
         (
             translator.text("report-drag-law"),
-            drag_law(environment.drag, translator),
+            drag_law(&environment.drag, translator),
         ),
         (
             translator.text("report-displaced-air"),

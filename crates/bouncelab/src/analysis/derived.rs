@@ -4,10 +4,10 @@ use super::result::Drop;
 use super::{Options, analyze_impacts};
 use crate::Result;
 use crate::drag::DragLaw;
-use crate::drop::{self, Start, Stop};
+use crate::drop::{self, History, Start, Stop};
 use crate::estimate::Estimate;
 use crate::flight::{Environment, FlightModel};
-use crate::inference::{InferenceOptions, SamplerConfig};
+use crate::inference::{BestFit, InferenceOptions, SamplerConfig};
 use crate::restitution::Contact;
 
 /// The height of the ball by the flight model, from impact to impact.
@@ -19,6 +19,16 @@ pub struct HeightHistory {
     pub points: Vec<[f64; 2]>,
     /// Time in s and height in m of each apex.
     pub apexes: Vec<[f64; 2]>,
+}
+
+/// A drop as the posterior describes it.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct SimulatedHistory {
+    /// Time in s and height in m of the most probable drop.
+    pub points: Vec<[f64; 2]>,
+    /// Time in s, and the heights in m between which 95 % of the draws are at that time.
+    pub band: Vec<[f64; 3]>,
 }
 
 /// The drag of a law over the weight of the ball.
@@ -77,46 +87,69 @@ impl Drop {
         history
     }
 
-    /// The drop that the posterior describes, from its release on, in the time of the recording: time
-    /// in s and height in m. Empty without inference.
+    /// The drop that the posterior describes, from its release on, in the time of the recording, simulated with the drag
+    /// of the options. Empty without inference.
     ///
     /// # Errors
     ///
     /// Those of [`drop::simulate`](drop::simulate()).
-    pub fn best_fit_history(&self, options: &Options) -> Result<Vec<[f64; 2]>> {
+    pub fn simulated_history(&self, options: &Options) -> Result<SimulatedHistory> {
         /// Points of the whole curve for each bounce.
         const POINTS: usize = 40;
+        /// Points of the band for each bounce: it costs `DRAWS` simulations.
+        const BAND_POINTS: usize = 12;
+        /// The second lowest and the second highest of forty are quantiles of 2.5 and 97.5 %.
+        const DRAWS: usize = 40;
         let Ok(found) = &self.posterior else {
-            return Ok(Vec::new());
+            return Ok(SimulatedHistory::default());
         };
-        let options = &options.with_ball_of(Some(found));
-        let Some(best) = found.best_fit() else {
-            return Ok(Vec::new());
-        };
-        let contact = Contact::new(best.law, best.contact_time_s)?;
         let mut impacts = self.impacts.iter();
-        let Some(first) = impacts.find(|impact| impact.number == found.first_impact()) else {
-            return Ok(Vec::new());
+        let first = impacts.find(|impact| impact.number == found.first_impact());
+        let (Some(best), Some(first)) = (found.best_fit(), first) else {
+            return Ok(SimulatedHistory::default());
         };
         let last = impacts.next_back().unwrap_or(first);
-        let bounces = last.number + 1 - first.number;
-        let start = Start::Height(best.drop_height_m);
         let missed = found
             .missed_first_impacts
             .as_deref()
             .map_or(0, most_probable);
-        let stop = Stop::after(bounces + missed);
-        let history = drop::simulate(&options.model()?, &contact, start, stop)?;
-        // The first impact that was detected is at the time at which it was detected.
-        let first_s = history.bounces().get(missed).map_or(0.0, |b| b.time_s);
-        let shift_s = first.time_s - first_s;
-        let end_s = history.total_time_s();
-        let points = POINTS * (bounces + missed);
-        let points = (0..=points).map(|point| {
-            let time_s = end_s * point as f64 / points as f64;
-            [time_s + shift_s, history.height_at(time_s)]
+        let bounces = last.number + 1 - first.number + missed;
+        let model = options.with_ball_of(Some(found)).model()?;
+        let simulated = |fit: &BestFit| -> Result<(History, f64)> {
+            let contact = Contact::new(fit.law, fit.contact_time_s)?;
+            let start = Start::Height(fit.drop_height_m);
+            let history = drop::simulate(&model, &contact, start, Stop::after(bounces))?;
+            // The first impact that was detected is at the time at which it was detected.
+            let first_s = history.bounces().get(missed).map_or(0.0, |b| b.time_s);
+            Ok((history, first.time_s - first_s))
+        };
+        let (best, shift_s) = simulated(&best)?;
+        let times = |points: usize| {
+            let step_s = best.total_time_s() / points as f64;
+            (0..=points).map(move |point| step_s * point as f64)
+        };
+        let points =
+            times(POINTS * bounces).map(|time_s| [time_s + shift_s, best.height_at(time_s)]);
+        let drawn: Vec<(History, f64)> = found
+            .some_draws(DRAWS)
+            .iter()
+            .filter_map(|fit| simulated(fit).ok())
+            .collect();
+        let band = times(BAND_POINTS * bounces).filter_map(|time_s| {
+            let time_s = time_s + shift_s;
+            let heights = drawn
+                .iter()
+                .map(|(history, shift_s)| history.height_at(time_s - shift_s));
+            let mut heights: Vec<f64> = heights.collect();
+            heights.sort_unstable_by(f64::total_cmp);
+            let end = heights.len() / DRAWS;
+            let high = heights.len().checked_sub(1 + end)?;
+            Some([time_s, heights[end], heights[high]])
         });
-        Ok(points.collect())
+        Ok(SimulatedHistory {
+            band: band.collect(),
+            points: points.collect(),
+        })
     }
 
     /// The numbers of first flights of [`Self::truncations`]: some, and all; fewer than three choices
@@ -174,8 +207,8 @@ impl Options {
             is_chosen,
             points: drag_points(model, fastest_m_s),
         };
-        let law = self.environment.drag;
-        let mut curves = vec![curve(&model, law, true)];
+        let law = &self.environment.drag;
+        let mut curves = vec![curve(&model, law.clone(), true)];
         if !matches!(law, DragLaw::Constant(_) | DragLaw::None) {
             let coefficient = (100.0 * share / unit_share).round() / 100.0;
             let model = with_constant(coefficient)?;

@@ -45,7 +45,7 @@ use crate::{Error, Result};
 
 pub use crate::detection::DetectionOptions;
 pub use balls::BallComparison;
-pub use derived::{DragCurve, HeightHistory, Truncation};
+pub use derived::{DragCurve, HeightHistory, SimulatedHistory, Truncation};
 pub use gap::{Gap, rests_at_s};
 pub use listed::ListOrigin;
 pub use pipeline::{DropCandidate, DropTask, Plan, analyze, analyze_channels, analyze_times};
@@ -117,7 +117,7 @@ impl Options {
             environment: Environment {
                 gravity_m_s2: gravity::STANDARD_M_S2,
                 air: air.unwrap_or(Air::vacuum()),
-                drag: DragLaw::CliftGraceWeber,
+                drag: DragLaw::Standard,
                 buoyancy: true,
                 added_mass: true,
             },

@@ -55,19 +55,16 @@ pub enum Error {
         known: String,
     },
 
-    /// The Reynolds number of the ball is above the range of the drag law.
+    /// The Reynolds number of the ball is above the last point of a drag table.
     #[error(
-        "the drag law {law} is valid up to Reynolds number {max_reynolds:.3e}, but the ball reaches \
-         {reynolds:.3e}; choose a law with a wider range (clift-grace-weber has no upper end) or a \
-         slower ball"
+        "the drag table ends at Reynolds number {max_reynolds:.3e}, but the ball reaches {reynolds:.3e}; add a point \
+         there or choose the standard curve"
     )]
     #[non_exhaustive]
     ReynoldsTooHigh {
-        /// Name of the law.
-        law: &'static str,
         /// The Reynolds number that was asked for.
         reynolds: f64,
-        /// The upper end of the law.
+        /// The last of the table.
         max_reynolds: f64,
     },
 
@@ -320,11 +317,9 @@ impl Error {
                 .with("nearest", Text(nearest.clone()))
                 .with("known", Text(known.clone())),
             Self::ReynoldsTooHigh {
-                law,
                 reynolds,
                 max_reynolds,
             } => Diagnostic::new(Code::ReynoldsTooHigh)
-                .with("law", *law)
                 .with("reynolds", *reynolds)
                 .with("max_reynolds", *max_reynolds),
             Self::Floats {

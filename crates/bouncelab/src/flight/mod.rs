@@ -49,7 +49,7 @@ use reynolds::ReynoldsDrag;
 /// What a ball flies through.
 ///
 /// Plain numbers; they are checked when a [`FlightModel`] is made of them.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Environment {
     /// Gravity in m/s², above zero.
@@ -154,14 +154,14 @@ impl LaunchDerivatives {
 }
 
 /// A ball in its surroundings, ready to fly.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct FlightModel {
     resistance: Resistance,
     moving_mass_kg: Option<f64>,
 }
 
 /// The two methods of solving a flight.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 enum Resistance {
     Quadratic(QuadraticDrag),
     Reynolds(ReynoldsDrag),
@@ -183,7 +183,7 @@ impl FlightModel {
     /// let environment = Environment {
     ///     gravity_m_s2: 9.81,
     ///     air: Air::moist(&Conditions::default())?,
-    ///     drag: DragLaw::CliftGraceWeber,
+    ///     drag: DragLaw::Standard,
     ///     buoyancy: true,
     ///     added_mass: true,
     /// };
@@ -197,7 +197,7 @@ impl FlightModel {
         let Environment {
             gravity_m_s2,
             air,
-            drag,
+            ref drag,
             buoyancy,
             added_mass,
         } = *environment;
@@ -214,7 +214,7 @@ impl FlightModel {
         let moving_mass_kg = ball.mass_kg() + if added_mass { displaced_kg / 2.0 } else { 0.0 };
         let weight_n = (ball.mass_kg() - carried_kg) * gravity_m_s2;
         let gravity = weight_n / moving_mass_kg;
-        let coefficient = match drag {
+        let coefficient = match *drag {
             DragLaw::None => Some(0.0),
             DragLaw::Constant(coefficient) => Some(coefficient),
             _ if air.is_vacuum() => Some(0.0),
@@ -229,7 +229,13 @@ impl FlightModel {
                     (force_per_speed_squared / weight_n).sqrt(),
                 ))
             }
-            None => Resistance::Reynolds(ReynoldsDrag::new(ball, &air, drag, weight_n, gravity)),
+            None => Resistance::Reynolds(ReynoldsDrag::new(
+                ball,
+                &air,
+                drag.clone(),
+                weight_n,
+                gravity,
+            )),
         };
         Ok(Self {
             resistance,

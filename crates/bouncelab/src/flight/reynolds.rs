@@ -69,7 +69,7 @@ struct Arc {
 }
 
 /// A ball whose drag follows a law of the Reynolds number.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct ReynoldsDrag {
     law: DragLaw,
     gravity: f64,

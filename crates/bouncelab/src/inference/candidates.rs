@@ -11,7 +11,7 @@ use super::observed::Observed;
 use super::parameters::{
     ALLOWED_BALL, LN_MISSED_FIRST, LN_UNHEARD, MAX_MISSED_FIRST, OTHER_FIRST, PRUNE_BELOW,
 };
-use super::pool::{Pool, SamplerConfig};
+use super::pool::{Draw, Pool, SamplerConfig};
 use super::possible_balls::PossibleBall;
 use super::priors::Priors;
 use super::reference_speed::ReferenceSpeed;
@@ -156,7 +156,7 @@ impl SampledPosterior {
             media,
             reference,
             priors: priors.clone(),
-            environment: *environment,
+            environment: environment.clone(),
             candidates: Vec::new(),
             contradictions: Vec::new(),
             left_out: Vec::new(),
@@ -395,8 +395,30 @@ impl SampledPosterior {
     /// The fit of the most probable candidate; `None` if it is not valid.
     pub(super) fn best_fit(&self) -> Option<BestFit> {
         let candidate = self.candidates.first()?;
-        let model = self.model(candidate);
-        let point = model.point(candidate.fit.vector.as_slice())?;
+        Self::drop_at(&self.model(candidate), candidate.fit.vector.as_slice())
+    }
+
+    /// The drop of some draws, evenly spaced, of the ball and the number of missed first impacts that are most probable.
+    pub(super) fn some_draws(&self, count: usize) -> Vec<BestFit> {
+        let Some(best) = self.candidates.first() else {
+            return Vec::new();
+        };
+        let alike = |draw: &Draw<'_>| {
+            let candidate = &self.candidates[draw.candidate];
+            (candidate.medium, candidate.missed_first) == (best.medium, best.missed_first)
+        };
+        let draws: Vec<Draw<'_>> = self.draws.iter().filter(alike).collect();
+        let every = draws.len().div_ceil(count).max(1);
+        let some = draws.into_iter().step_by(every);
+        some.filter_map(|draw| {
+            let model = self.model(&self.candidates[draw.candidate]);
+            Self::drop_at(&model, draw.vector)
+        })
+        .collect()
+    }
+
+    fn drop_at(model: &Model<'_>, vector: &[f64]) -> Option<BestFit> {
+        let point = model.point(vector)?;
         Some(BestFit {
             law: point.law,
             drop_height_m: model.drop_height_m(&point)?,

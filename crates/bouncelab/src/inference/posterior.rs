@@ -303,6 +303,11 @@ impl Posterior {
         self.sampled.best_fit()
     }
 
+    /// The drop of some draws, of the ball and the number of missed first impacts that are most probable.
+    pub(crate) fn some_draws(&self, count: usize) -> Vec<BestFit> {
+        self.sampled.some_draws(count)
+    }
+
     /// The ball of the most probable drop, and its contact time before the data, s: the ball that was stated, or one of the
     /// kinds that it may be.
     pub(crate) fn most_probable_ball(&self) -> (Ball, f64) {

@@ -92,7 +92,7 @@ pub(super) const ORDINARY: &[Ordinary] = &[
 impl AirSettings {
     pub(super) fn drag(&self) -> Result<DragLaw> {
         let named = self.drag.as_deref().map(str::parse).transpose()?;
-        Ok(named.unwrap_or(DragLaw::CliftGraceWeber))
+        Ok(named.unwrap_or(DragLaw::Standard))
     }
 
     pub(super) fn resolve(&self, assumptions: &mut Vec<Diagnostic>) -> Result<Air> {

@@ -131,10 +131,10 @@ impl Settings {
         let environment = Environment {
             gravity_m_s2: self.gravity.resolve(&mut assumptions)?,
             air: self.air.resolve(&mut assumptions)?,
-            drag,
             // Without drag the ball flies as if there were no air at all.
             buoyancy: self.air.buoyancy != Some(false) && drag != DragLaw::None,
             added_mass: self.air.added_mass != Some(false) && drag != DragLaw::None,
+            drag,
         };
         let mut options = Options {
             ball: known.ball,

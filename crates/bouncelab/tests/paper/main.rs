@@ -10,6 +10,7 @@ use bouncelab::drop::{self, History, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::regression::{self, LogLinearFit, NumberedFlight};
 use bouncelab::restitution::{Contact, Restitution};
+use bouncelab_testkit::clift_gauvin;
 
 const GRAVITY: f64 = 9.81;
 const DROP_HEIGHT: f64 = 0.305;
@@ -112,7 +113,7 @@ fn constant_drag() {
 /// textbook; its numbers lie between those of two published curves.
 #[test]
 fn velocity_dependent_drag() {
-    let [standard, other] = [DragLaw::CliftGraceWeber, DragLaw::CliftGauvin].map(model);
+    let [standard, other] = [DragLaw::Standard, clift_gauvin()].map(model);
     let share = |model: &FlightModel| 100.0 * model.drag_over_weight(2.4).unwrap();
     assert!((share(&standard)..share(&other)).contains(&6.4));
     let terminal = |model: &FlightModel| model.terminal_speed_m_s().unwrap();
@@ -225,7 +226,7 @@ fn the_straight_line_depends_on_the_number_of_flights() {
 #[test]
 fn both_drag_models_last_equally_long() {
     let constant = dropped(&model(DragLaw::Constant(0.4)), 0.935, Stop::below(1e-4));
-    let curve = dropped(&model(DragLaw::CliftGraceWeber), 0.935, Stop::below(1e-4));
+    let curve = dropped(&model(DragLaw::Standard), 0.935, Stop::below(1e-4));
     let ratio = constant.total_time_s() / curve.total_time_s();
     assert!((ratio - 1.0).abs() < 0.02, "{ratio}");
 }

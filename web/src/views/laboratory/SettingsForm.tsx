@@ -5,7 +5,7 @@ import { catalogue } from '../../state/engine.ts';
 import { change, chooseBall, forgetSettings, isOwnBall, settings } from '../../state/settings.ts';
 import { analysed } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
-import { ballName, lawName, nameIn, UNSTATED } from '../../text/names.ts';
+import { ballName, lawChoices, nameIn, UNSTATED } from '../../text/names.ts';
 
 const OWN = 'own';
 const ABSOLUTE_ZERO_C = -273.15;
@@ -102,21 +102,15 @@ function Ball() {
 function Air() {
   const { drag, temperature_k, pressure_pa, relative_humidity } = settings.value.air ?? {};
   const usual = catalogue.value?.usual_air;
-  const laws = catalogue.value?.drag_laws ?? [];
+  const usualLaw = catalogue.value?.drag_laws[0] ?? '';
   return (
     <fieldset>
       <legend>{text('page-settings-air')}</legend>
       <Choice
         label={text('page-settings-drag-law')}
-        value={drag ?? catalogue.value?.usual_drag_law ?? ''}
-        options={[
-          ...laws.map(({ name }) => [name, lawName(name)] as const),
-          ['constant:0.4', text('page-settings-drag-constant')],
-          ['none', text('page-settings-drag-none')],
-        ]}
-        onChange={(law) =>
-          change('air', { drag: law === catalogue.value?.usual_drag_law ? undefined : law })
-        }
+        value={drag ?? usualLaw}
+        options={lawChoices(drag ?? usualLaw)}
+        onChange={(law) => change('air', { drag: law === usualLaw ? undefined : law })}
       />
       <NumberField
         label={text('page-settings-temperature')}

@@ -6,7 +6,7 @@ import { fixed, LENGTH, PERCENT, rounded } from '../../format/quantity.ts';
 import { catalogue } from '../../state/engine.ts';
 import { move, setup } from '../../state/simulating.ts';
 import { language, text } from '../../text/language.ts';
-import { ballName, lawName, nameIn } from '../../text/names.ts';
+import { ballName, lawChoices, nameIn } from '../../text/names.ts';
 
 /** What can be moved. */
 export function Sliders() {
@@ -68,11 +68,7 @@ export function Sliders() {
       <Choice
         label={text('page-simulate-drag')}
         value={now.drag}
-        options={[
-          ...(offered?.drag_laws ?? []).map(({ name }) => [name, lawName(name)] as const),
-          ['constant:0.4', text('page-settings-drag-constant')],
-          ['none', text('page-settings-drag-none')],
-        ]}
+        options={lawChoices(now.drag)}
         onChange={(drag) => move({ drag })}
       />
     </div>
