@@ -216,7 +216,7 @@ pub(crate) enum Law {
     Linear(f64, f64),
     /// 1 - c v^(1/5): the first term of a viscoelastic sphere, of any strength.
     FifthPower(f64),
-    /// e, but 15 % lower below 0.3 m/s: e (1 - 0.15/(1 + (v/0.3)^6)).
+    /// e, but up to 15 % lower below about 0.3 m/s: e (1 - 0.15 exp(-v/0.3)).
     WorseWhenSlow(f64),
 }
 
@@ -241,7 +241,7 @@ impl Law {
             Self::Power(e, p) => e * (speed_m_s / MIDDLE_M_S).powf(-p),
             Self::Linear(e, share) => e * (1.0 - share * (speed_m_s - MIDDLE_M_S)),
             Self::FifthPower(c) => 1.0 - c * speed_m_s.powf(0.2),
-            Self::WorseWhenSlow(e) => e * (1.0 - 0.15 / (1.0 + (speed_m_s / 0.3).powi(6))),
+            Self::WorseWhenSlow(e) => e * (1.0 - 0.15 * (-speed_m_s / 0.3).exp()),
         }
     }
 }

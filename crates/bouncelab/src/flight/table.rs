@@ -561,7 +561,7 @@ mod tests {
         for (drag, accuracy) in [
             (DragLaw::None, 1e-11),
             (DragLaw::Constant(0.4), 2e-8),
-            (measured, 1e-6),
+            (measured, 5e-6),
             (DragLaw::Standard, 2e-5),
         ] {
             let model = model(drag.clone());

@@ -363,7 +363,7 @@ proptest! {
 
     /// The same for every law of the Reynolds number.
     #[test]
-    fn quadratures_are_inverted(log_speed in -3.0..1.2_f64, pick in 0..8_usize) {
+    fn quadratures_are_inverted(log_speed in -3.0..1.2_f64, pick in 0..3_usize) {
         let law = laws()[pick].clone();
         let model = paper_model(law.clone());
         let speed = 10_f64.powf(log_speed);
