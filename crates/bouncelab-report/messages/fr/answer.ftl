@@ -1,4 +1,4 @@
-# Ce qu’une personne lit d’abord d’un essai : la réponse, ou pourquoi il n’y en a pas.
+# Ce qu’une personne lit d’abord d’un essai : la réponse, ou pourquoi il n’y en a pas.
 
 answer-kept-first = À { $speed }, la vitesse du premier impact détecté, la balle garde { $share } de sa vitesse, soit { $energy } de son énergie.
 answer-kept-asked = À { $speed }, la balle garde { $share } de sa vitesse ; au premier impact détecté, elle a gardé { $energy } de son énergie.

@@ -121,7 +121,7 @@ diagnostic-out-of-range = { $quantity } : { $value }{ $unit ->
    *[finite] finie
   }
 diagnostic-unknown-name = Nom inconnu ({ $kind }) : « { $name } » ; le plus proche est « { $nearest } » (connus : { $known }).
-diagnostic-reynolds-too-high = La table de traînée s’arrête au nombre de Reynolds { $max_reynolds }, mais la balle atteint { $reynolds } ; ajoutez-y un point ou choisissez la courbe standard.
+diagnostic-reynolds-too-high = La table de traînée s’arrête au nombre de Reynolds { $max_reynolds }, mais la balle atteint { $reynolds } ; ajoutez-y un point ou choisissez la courbe standard.
 diagnostic-ball-floats = La balle pèse { $mass_kg } et déplace { $displaced_kg } d’air : elle flotte ; vérifiez la masse et le diamètre, ou négligez la poussée d’Archimède.
 diagnostic-endless-drop = La balle monte encore à { $apex_m } après { $bounces } rebonds ; diminuez la restitution, arrêtez à une hauteur plus grande, ou demandez au plus { $bounces } rebonds.
 diagnostic-too-few-flights = Un ajustement log-linéaire des temps de vol demande au moins 2 vols, et il y en a { $flights } ; utilisez un enregistrement d’au moins 3 impacts, ou une plus large plage de vols.

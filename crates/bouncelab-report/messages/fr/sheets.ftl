@@ -69,7 +69,7 @@ sheet-gravity-do-2 = Touchez « Écouter » et lâchez sans pousser. Lâchez
 sheet-gravity-do-3 = Notez T₁ et T₂ avec quatre décimales.
 sheet-gravity-work-1 = La balle arrive avec v = √(2 g h) et repart avec e v. Donc T₁ = 2 e v / g, et e = T₂ / T₁. Montrez que g = 8 h T₂² / T₁⁴.
 sheet-gravity-work-2 = Calculez g pour chaque essai, puis la moyenne et son erreur-type.
-sheet-gravity-work-3 = Sur la page, donnez la hauteur sous « modifier », cochez « mesurer g », et comparez.
+sheet-gravity-work-3 = Sur la page, donnez la hauteur sous « modifier », cochez « mesurer g », et comparez.
 sheet-gravity-see = Ce que donne la formule pour des balles lâchées de { $height } cm avec e = { $restitution }, si g vaut { $gravity } m/s².
 sheet-gravity-talk-1 = La balle de tennis donne un g trop petit, bien qu’elle sente moins l’air que la balle de tennis de table. Qu’est-ce qui prend encore du temps lors d’un rebond ?
 sheet-gravity-talk-2 = Un millimètre sur { $height } cm fait { $share } %. Quelle erreur de g en résulte ?
