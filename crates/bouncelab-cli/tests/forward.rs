@@ -78,7 +78,14 @@ fn absurd_drops_are_refused() {
         (&["--restitution", "1", "--drag", "none"], "bounces"),
         (&["--mass", "1g", "--diameter", "1m"], "floats"),
         (
-            &["--ball", "football", "--height", "10km", "--drag", "table:100=1,9000=0.4"],
+            &[
+                "--ball",
+                "football",
+                "--height",
+                "10km",
+                "--drag",
+                "table:100=1,9000=0.4",
+            ],
             "reynolds",
         ),
     ] {
