@@ -38,7 +38,7 @@ def everything() -> dict[str, object]:
         drop.figure("height"), drop.log_linear_fit, drop.per_impact, posterior, posterior.restitution,
         posterior.drag_coefficient_prior, posterior.impacts[0], posterior.models[0], posterior.budget,
         posterior.budget.restitution[0], posterior.predictions[0], posterior.prior_contraction[0],
-        posterior.correlations, posterior.sampling, posterior.band[0], posterior.priors[0], band, sound,
+        bl.LogLikelihood(TIMES_S, 1e-4, ball="tennis"), posterior.correlations, posterior.sampling, posterior.band[0], posterior.priors[0], band, sound,
         sound.simulation, bl.rules()[0],
         bl.verdict([sound.samples], "ittf-ball", sample_rate_hz=44_100, draws=100), study(),
     ]  # fmt: skip
@@ -51,8 +51,8 @@ def everything() -> dict[str, object]:
 
 
 OBJECTS = everything()
-#: Kinds of arguments, which have no objects of their own, and a warning, which is one of Python.
-WITHOUT = {"BouncelabWarning", "Options", "PhysicsOptions", "Progress", "ProgressBar"}
+#: Kinds of arguments, which have no objects of their own, a warning, and a tuple of arrays.
+WITHOUT = {"BouncelabWarning", "Gradient", "Options", "PhysicsOptions", "Progress", "ProgressBar"}
 
 
 def test_every_public_class_is_among_them() -> None:

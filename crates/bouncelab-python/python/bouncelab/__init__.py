@@ -59,6 +59,7 @@ if TYPE_CHECKING:
         UnknownNameError,
     )
     from bouncelab._figure import Figure
+    from bouncelab._likelihood import Gradient, LogLikelihood
     from bouncelab._physics import (
         RestitutionLaw,
         air,
@@ -96,6 +97,7 @@ _PLACES = {
         "RecordingError RecordingNotFoundError SessionError UnknownNameError"
     ),
     "_figure": "Figure",
+    "_likelihood": "Gradient LogLikelihood",
     "_physics": (
         "RestitutionLaw air air_density_kg_m3 air_viscosity_pa_s diagnostic_codes drag_coefficient drag_laws "
         "falls flights gravity_m_s2 languages presets restitution_laws terminal_speed_m_s"
@@ -128,11 +130,13 @@ __all__ = [
     "Drops",
     "Estimate",
     "Figure",
+    "Gradient",
     "GravityUsed",
     "ImpactPosterior",
     "ImpactRestitution",
     "InferenceError",
     "InputError",
+    "LogLikelihood",
     "LogLinearFit",
     "Measured",
     "MissingPackageError",
