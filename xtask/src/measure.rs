@@ -31,8 +31,8 @@ pub(crate) const PROGRAMS: [Program; 8] = [
     },
     Program {
         name: "verdicts",
-        arguments: "[BALLS [DROPS]]",
-        about: "Measure how often verdicts on simulated balls of known rebound are wrong",
+        arguments: "[BALLS]",
+        about: "Measure how often verdicts on simulated balls and floors of known rebound are wrong, and undecided",
     },
     Program {
         name: "balls",

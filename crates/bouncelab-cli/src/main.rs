@@ -6,6 +6,7 @@ mod demo;
 mod failure;
 mod history;
 mod interrupt;
+mod job;
 mod language;
 mod listen;
 mod manual;
@@ -63,6 +64,7 @@ enum Command {
     Listen(listen::Arguments),
     Session(session::Arguments),
     Verdict(verdict::Arguments),
+    Job(job::Arguments),
     Rules(rules::Arguments),
     Balls(balls::Arguments),
     Simulate(simulate::Arguments),
@@ -106,6 +108,7 @@ fn run(command: Command) -> Result<(), failure::Failure> {
         Command::Listen(arguments) => listen::run(&arguments),
         Command::Session(arguments) => session::run(&arguments),
         Command::Verdict(arguments) => verdict::run(&arguments),
+        Command::Job(arguments) => job::run(&arguments),
         Command::Rules(arguments) => rules::run(&arguments),
         Command::Balls(arguments) => balls::run(&arguments),
         Command::Simulate(arguments) => simulate::run(&arguments),

@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 
 use bouncelab::Plain;
-use bouncelab::rulebook::{self, Rule, Status};
-use bouncelab_report::rules::words::{drop, facts, status, title, wanted_in_short};
+use bouncelab::rulebook::{self, Rule};
+use bouncelab_report::rules::words::{drop, facts, read, title, wanted_in_short};
 use bouncelab_report::{Align, Table, rules};
 use clap::{Args, Subcommand};
 use unicode_width::UnicodeWidthStr;
 
 use crate::failure::Failure;
-use crate::language::{text, translator};
+use crate::language::translator;
 use crate::terminal::print;
 
 /// List the rules for verdicts, or show one
@@ -25,7 +25,8 @@ const EXAMPLES: &str = "\
 Examples:
   bouncelab rules list
   bouncelab rules show itf-court
-  bouncelab rules list --rules own.toml                 the format is in docs/rulebooks.md";
+  bouncelab rules new > own.toml                        a rule to fill in
+  bouncelab rules show our-rule --rules own.toml        checks it; the format is in docs/rulebooks.md";
 
 #[derive(Subcommand)]
 enum What {
@@ -34,6 +35,8 @@ enum What {
         #[command(flatten)]
         files: Files,
     },
+    /// Print a file with a rule to fill in
+    New,
     /// Show all of a rule
     Show {
         /// Name of the rule
@@ -68,6 +71,7 @@ impl Files {
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let page = match &arguments.what {
         What::List { files } => list(&files.read()?).to_string(),
+        What::New => rules::TEMPLATE.to_owned(),
         What::Show { name, files } => {
             let name = String::from(Plain::of(name));
             show(rulebook::find(&files.read()?, &name)?)
@@ -93,7 +97,7 @@ fn list(rules: &[Rule]) -> Table {
             title(rule, translator()),
             drop(rule, translator()),
             wanted_in_short(rule, translator()),
-            status(rule.status, translator()),
+            read(rule.source.read, translator()),
         ]);
     }
     table
@@ -113,8 +117,5 @@ fn show(rule: &Rule) -> String {
         let space = " ".repeat(width - name.width());
         format!("  {name}{space} {value}")
     }));
-    if rule.status == Status::Unverified {
-        lines.push(format!("  {}", text("rule-nobody-read")));
-    }
     lines.join("\n") + "\n"
 }

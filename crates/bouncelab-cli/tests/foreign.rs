@@ -145,8 +145,10 @@ fn refusals_of_hostile_notes_and_rules_are_one_line() {
     const HOSTILE: &str = r"x\nbouncelab: pass";
     let folder = TempDir::new().unwrap();
     fs::write(folder.path().join("a.wav"), "").unwrap();
-    let rule = "schema = \"bouncelab.rules/1\"\n[[rule]]\nname = \"a\"\nsource = \"us\"\n";
-    let whole = format!("{rule}status = \"verified\"\ndrop = {{}}\nrebound = {{}}\n");
+    let rule = "schema = \"bouncelab.rules/2\"\n[[rule]]\nname = \"a\"\n";
+    let whole = format!(
+        "{rule}source = {{ publisher = \"us\", read = \"primary\" }}\ndrop = {{}}\nrebound = {{}}\n"
+    );
     let broken = HOSTILE.replace(r"\n", "\n");
     let session = &["session", ".", "--ball", "tennis", "--no-inference"][..];
     let notes = &[session, &["--notes", "notes.csv"]].concat();

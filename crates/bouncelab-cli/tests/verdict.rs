@@ -40,14 +40,32 @@ fn verdict(folder: &TempDir, arguments: &[&str]) -> Command {
 
 /// e = 0.935 rebounds to 25 cm, e = 0.90 to 23 cm (the drag-free e² h, less 3 % for the fall).
 #[test]
-fn a_ball_passes_or_fails_with_its_exit_status() {
+fn a_ball_conforms_or_not_with_its_exit_status() {
     let folder = TempDir::new().unwrap();
     drop(folder.path(), "good.txt", "30.5cm", "0.935");
     drop(folder.path(), "dull.txt", "30.5cm", "0.9");
+    let shown = ["--height", "30.5cm", "--kept", "surface"];
+    verdict(
+        &folder,
+        &[&["--rule", "ittf-ball", "good.txt"], &shown[..]].concat(),
+    )
+    .assert()
+    .code(0)
+    .stdout(predicate::str::contains("\nCONFORMS. Within the limits"));
+    verdict(
+        &folder,
+        &["--rule", "ittf-ball", "good.txt", "--kept", "weather"],
+    )
+    .assert()
+    .code(2)
+    .stderr(predicate::str::contains("weather"));
     verdict(&folder, &["--rule", "ittf-ball", "good.txt"])
         .assert()
-        .code(0)
-        .stdout(predicate::str::contains("PASS. Within the limits"))
+        .code(5)
+        .stdout(predicate::str::contains(
+            "CONFORMS AS FAR AS SHOWN. Within the limits",
+        ))
+        .stdout(predicate::str::contains("steel block  not shown"))
         .stdout(predicate::str::contains("JCGM 106"))
         .stdout(predicate::str::contains(
             "The ball is table tennis 40+, as in the rule",
@@ -55,7 +73,7 @@ fn a_ball_passes_or_fails_with_its_exit_status() {
     verdict(&folder, &["--rule", "ittf-ball", "dull.txt"])
         .assert()
         .code(3)
-        .stdout(predicate::str::contains("FAIL."));
+        .stdout(predicate::str::contains("DOES NOT CONFORM."));
 }
 
 #[test]
@@ -69,21 +87,23 @@ fn the_document_has_the_verdict_and_its_reasons() {
     .output()
     .unwrap();
     let document: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(document["schema"], "bouncelab.verdict/3");
-    assert_eq!(document["outcome"], "pass");
-    assert_eq!(document["rule"]["status"], "verified");
+    assert_eq!(document["schema"], "bouncelab.verdict/4");
+    assert_eq!(document["outcome"], "conforms-as-far-as-shown");
+    assert_eq!(document["rule"]["source"]["read"], "secondary");
     assert_eq!(document["decision"]["risk"], 0.05);
     assert!(document["probability_wrong_accept"].as_f64().unwrap() <= 0.05);
     let drop = &document["drops"][0];
-    let sum: f64 = drop["steps"]
+    let sum: f64 = document["budget"]
         .as_array()
         .unwrap()
         .iter()
-        .map(|step| step["height_m"].as_f64().unwrap())
+        .map(|part| part["correction_m"].as_f64().unwrap())
         .sum();
     let plain = drop["drag_free_m"].as_f64().unwrap();
-    let predicted = drop["predicted_m"]["value"].as_f64().unwrap();
-    assert!((plain + sum - predicted).abs() < 1e-9);
+    let height = drop["height_m"].as_f64().unwrap();
+    assert!((plain + sum - height).abs() < 1e-9);
+    assert_eq!(document["procedure"][0]["item"], "release");
+    assert_eq!(document["procedure"][0]["state"], "not-shown");
 }
 
 #[test]
@@ -103,15 +123,18 @@ fn a_report_says_what_the_screen_says() {
     for report in ["verdict.html", "verdict.md"] {
         let output = verdict(&folder, &[&arguments[..], &[report]].concat())
             .assert()
-            .code(0);
+            .code(5);
         said = String::from_utf8_lossy(&output.get_output().stdout).into_owned();
     }
-    let decided = said.lines().find(|line| line.starts_with("PASS")).unwrap();
+    let decided = said
+        .lines()
+        .find(|line| line.starts_with("CONFORMS"))
+        .unwrap();
     let (html, markdown) = (read("verdict.html"), read("verdict.md"));
     for words in [
         decided,
         "Guarded acceptance",
-        "ITTF, rules for balls",
+        "ITTF, Technical Leaflet T3",
         "24 to 26 cm",
         "contact time, which is no flight",
         "The lowest point of the ball fell",
@@ -163,9 +186,7 @@ fn a_floor_takes_a_reference() {
     verdict(&folder, &[&floor[..], &["a.txt", "b.txt"]].concat())
         .assert()
         .code(4)
-        .stdout(predicate::str::contains(
-            "recordings of the same ball on that surface",
-        ));
+        .stdout(predicate::str::contains("not kept: drops on the reference"));
     verdict(
         &folder,
         &[
@@ -184,8 +205,8 @@ fn rules_of_ones_own_are_read_and_wrong_ones_refused() {
     drop(folder.path(), "good.txt", "30.5cm", "0.935");
     let own = |limits: &str| {
         format!(
-            "schema = \"bouncelab.rules/1\"\n\n[[rule]]\nname = \"ours\"\ntitle = \"Ours\"\n\
-             source = \"us\"\nstatus = \"unverified\"\nball = \"table-tennis-40\"\n\
+            "schema = \"bouncelab.rules/2\"\n\n[[rule]]\nname = \"ours\"\ntitle = \"Ours\"\n\
+             source = {{ publisher = \"us\", read = \"memory\" }}\nball = \"table-tennis-40\"\n\
              drop = {{ height = \"30.5cm\" }}\nrebound = {{ {limits} }}\n"
         )
     };
@@ -195,14 +216,16 @@ fn rules_of_ones_own_are_read_and_wrong_ones_refused() {
     let arguments = ["--rule", "ours", "--rules", "own.toml", "good.txt"];
     verdict(&folder, &arguments)
         .assert()
-        .code(0)
-        .stdout(predicate::str::contains("This rule is unverified"))
+        .code(5)
+        .stdout(predicate::str::contains(
+            "This rule was written from memory",
+        ))
         .stdout(predicate::str::contains("Note: was the floor oiled?\n"));
     fs::write(&path, own("least = \"20kg\"")).unwrap();
     verdict(&folder, &arguments)
         .assert()
         .failure()
-        .stderr(predicate::str::contains("own.toml, line 10, column "))
+        .stderr(predicate::str::contains("own.toml, line 9, column "))
         .stderr(predicate::str::contains("\"kg\" is not a unit for this"));
 }
 
@@ -246,18 +269,14 @@ fn wrong_input_is_questioned() {
     )
     .assert()
     .code(4)
-    .stdout(predicate::str::contains(
-        "The rule needs 5 drops, and there is 1",
-    ));
+    .stdout(predicate::str::contains("not kept: number of drops"));
     verdict(
         &folder,
         &["--rule", "racquetball", "--temperature", "10C", "good.txt"],
     )
     .assert()
     .code(4)
-    .stdout(predicate::str::contains(
-        "10.0 \u{b0}C is outside the temperature range",
-    ));
+    .stdout(predicate::str::contains("not kept: temperature"));
     verdict(&folder, &["--rule", "ittf-ball", "nothing.wav"])
         .assert()
         .code(1)
@@ -277,7 +296,16 @@ fn rules_are_listed_and_shown() {
         .assert()
         .success()
         .stdout(predicate::str::contains("H = 1.23 (T - 0.025)²"))
-        .stdout(predicate::str::contains("unverified"));
+        .stdout(predicate::str::contains("from memory"));
+    let template = bouncelab().args(["rules", "new"]).output().unwrap();
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("own.toml"), template.stdout).unwrap();
+    bouncelab()
+        .current_dir(&folder)
+        .args(["rules", "show", "our-rule", "--rules", "own.toml"])
+        .assert()
+        .success()
+        .stdout(predicate::str::contains("rules of the hall"));
 }
 
 #[cfg(unix)]

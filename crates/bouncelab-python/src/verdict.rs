@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use bouncelab::rulebook::{self, Conditions, Decision, Place, Rule, Verdict as Judged};
+use bouncelab::rulebook::{self, Conditions, Decision, Item, Place, Rule, Verdict as Judged};
 use bouncelab_report::document::verdict::{Evaluation, VerdictDocument};
 use bouncelab_report::figure;
 use bouncelab_report::report::Provenance;
@@ -50,10 +50,6 @@ impl Judge {
     }
 
     /// Judges recordings, each of which is one place.
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "they are those of the public function"
-    )]
     fn judge(
         &self,
         py: Python<'_>,
@@ -61,13 +57,13 @@ impl Judge {
         places: Vec<Py<Recording>>,
         reference: Vec<Py<Recording>>,
         risk: Option<f64>,
-        temperature_k: Option<f64>,
-        altitude_m: Option<f64>,
+        kept: Vec<String>,
     ) -> Result<Verdict> {
         let decision = risk.map_or(Decision::Simple, |risk| Decision::Guarded { risk });
+        let kept = kept.iter().map(|name| Item::stated(name));
         let conditions = Conditions {
-            temperature_k,
-            altitude_m,
+            kept: kept.collect::<bouncelab::Result<_>>()?,
+            ..analyzer.setup.conditions.clone()
         };
         let of = |recordings: &[Py<Recording>]| -> Vec<String> {
             recordings
@@ -126,7 +122,7 @@ impl Verdict {
 
 #[pymethods]
 impl Verdict {
-    /// The document of the schema `bouncelab.verdict/3`.
+    /// The document of the schema `bouncelab.verdict/4`.
     fn document(&self, language: &str) -> Result<String> {
         let words = translator(language)?;
         let document = VerdictDocument::new(&self.evaluation(), &words);
@@ -137,7 +133,12 @@ impl Verdict {
     fn page(&self, language: &str) -> Result<Page> {
         let words = translator(language)?;
         let provenance = Provenance::default();
-        Ok(Page(of_verdict(&self.evaluation(), &provenance, &words)))
+        Ok(Page(of_verdict(
+            &self.evaluation(),
+            &provenance,
+            None,
+            &words,
+        )))
     }
 
     /// What it is about, against the limits of the rule.
@@ -164,6 +165,6 @@ impl Verdict {
 pub(crate) fn rules_built_in() -> Result<Vec<(String, String, String)>> {
     let rules = rules::all(&[])?.into_iter();
     Ok(rules
-        .map(|rule| (rule.name, rule.title, rule.source))
+        .map(|rule| (rule.name, rule.title, rule.source.citation()))
         .collect())
 }

@@ -325,6 +325,9 @@ impl Translator {
             "title" => format!("rule-title-{key_id}"),
             "surface" => format!("rule-surface-{key_id}"),
             "note" => format!("rule-note-{key_id}"),
+            "conditioning" => format!("rule-conditioning-{key_id}"),
+            "read" => format!("rule-read-{key_id}"),
+            "item" => format!("verdict-item-{key_id}"),
             _ => return key.to_owned(),
         };
         if self.has(&id) {

@@ -275,7 +275,12 @@ fn words_of(rule: &Rule) -> Vec<String> {
         Requirement::Share { of, .. } => Some(of.clone()),
         _ => None,
     };
-    let words = [rule.surface.clone(), reference, rule.note.clone()];
+    let words = [
+        rule.surface.clone(),
+        reference,
+        rule.note.clone(),
+        rule.conditioning.clone(),
+    ];
     let words = words.into_iter().flatten();
     words.chain([rule.title.clone()]).collect()
 }

@@ -302,8 +302,6 @@ codes! {
     GainsSpeed = "gains-speed", Error, [];
     /// The variances of groups cannot be separated.
     VariancesConfounded = "variances-confounded", Error, [];
-    /// The rule's height is far beyond the detected ones.
-    HeightOutOfReach = "height-out-of-reach", Error, [];
 
     // Of input.
     /// A number is outside its range.
@@ -380,42 +378,32 @@ codes! {
     PriorMissed = "prior-missed", Info, [];
 
     // Of a verdict.
-    /// The rule takes more drops.
-    RuleNeedsDrops = "rule-needs-drops", Warning, ["needed", "given"];
-    /// The rule takes more drops on the reference surface.
-    RuleNeedsReferenceDrops = "rule-needs-reference-drops", Warning, ["needed", "given"];
-    /// The rule compares with a reference surface.
-    RuleNeedsReference = "rule-needs-reference", Warning, [];
-    /// The rule compares places.
-    RuleNeedsPlaces = "rule-needs-places", Warning, [];
+    /// A part of the procedure of the rule was not kept.
+    ProcedureNotKept = "procedure-not-kept", Warning, ["item"];
     /// The rule names no limits.
     RuleWithoutLimits = "rule-without-limits", Warning, [];
     /// Nobody stated the drop height.
     RuleNeedsHeight = "rule-needs-height", Warning, [];
-    /// The temperature is outside the rule's.
-    RuleTemperature = "rule-temperature", Warning, ["temperature_k"];
-    /// The altitude is outside the rule's.
-    RuleAltitude = "rule-altitude", Warning, ["altitude_m"];
-    /// A drop does not tell its rebound.
-    DropWithoutRebound = "drop-without-rebound", Warning, ["drop", "reason"];
+    /// The first flight of a drop was not detected, or others came before it.
+    DropWithoutFirstFlight = "drop-without-first-flight", Warning, ["drop"];
     /// A limit lies within the uncertainty.
     LimitWithinUncertainty = "limit-within-uncertainty", Warning, [];
-    /// The rule was not read in its source.
+    /// The rule was written from memory.
     RuleUnverified = "rule-unverified", Warning, [];
-    /// The formula of the rule was not read in its source.
-    FormulaUnverified = "formula-unverified", Info, [];
+    /// Not the text of the rule was read, but one that cites it.
+    RuleSecondary = "rule-secondary", Warning, [];
+    /// The text of the formula was not read.
+    FormulaUnverified = "formula-unverified", Warning, ["read"];
     /// The ball is another than the rule's.
     RuleOtherBall = "rule-other-ball", Warning, ["ball"];
     /// The rule does not state where heights are measured.
     RuleWithoutPoint = "rule-without-point", Info, [];
-    /// The rule holds at some temperatures, and none was stated.
-    TemperatureNotStated = "temperature-not-stated", Info, ["least_k?", "greatest_k?"];
-    /// The rule holds at some altitudes, and none was stated.
-    AltitudeNotStated = "altitude-not-stated", Info, ["least_m?", "greatest_m?"];
-    /// The ball was dropped from another height than the rule's.
-    RuleOtherHeight = "rule-other-height", Info, ["dropped_m", "rule_m"];
-    /// The rule's impact is faster than any detected.
-    RuleExtrapolated = "rule-extrapolated", Warning, ["factor"];
+    /// The model answers with another value, beyond the uncertainties of both.
+    ModelDiffers = "model-differs", Warning, [];
+    /// So many drops with this mean and scatter would decide.
+    DropsThatDecide = "drops-that-decide", Info, ["drops"];
+    /// No number of drops would decide.
+    NoDropsDecide = "no-drops-decide", Info, [];
     /// There are too few drops to show how drops differ.
     VerdictOfFewDrops = "verdict-of-few-drops", Info, ["drops"];
 }

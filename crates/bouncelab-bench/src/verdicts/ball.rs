@@ -1,22 +1,19 @@
-//! Balls of known rebound, and simulated drops of them.
+//! Balls and floors of known rebound, and simulated drops of them.
 
 use bouncelab::Impact;
 use bouncelab::analysis::{self, Drop, Options};
-use bouncelab::ball::Ball;
+use bouncelab::ball::{self, Ball, Preset};
 use bouncelab::drag::DragLaw;
 use bouncelab::flight::{Environment, FlightModel};
-use bouncelab::impact::ImpactEvent;
-use bouncelab::inference::{InferenceOptions, Measured, SamplerConfig};
+use bouncelab::inference::Measured;
 use bouncelab::restitution::Restitution;
-use bouncelab::rulebook::{self, Conditions, Decision, Limits, Outcome, Requirement, Rule};
+use bouncelab::rulebook::{
+    self, Conditions, Decision, Formula, Limits, Outcome, Reading, Requirement, Rule,
+};
 use bouncelab_testkit::bouncing;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
-
-/// The rule of table tennis: from 30.5 cm to 24 to 26 cm.
-const DROP_M: f64 = 0.305;
-pub(crate) const LIMITS: Limits = Limits::between(0.24, 0.26);
 
 /// The ball is held by hand beside a ruler.
 const HEIGHT_SD_M: f64 = 0.001;
@@ -24,77 +21,154 @@ const HEIGHT_SD_M: f64 = 0.001;
 const TIMING_S: f64 = 5e-5;
 /// Scatter of a good surface.
 const SCATTER: f64 = 0.004;
-/// How much restitution may change with speed, as the exponent of a power law.
-const EXPONENT_SD: f64 = 0.03;
-const MAX_IMPACTS: usize = 30;
+
+/// A kind of rule.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A height that the rule measures itself, as of table-tennis balls: 24 to 26 cm from 30.5 cm.
+    Height,
+    /// A height by a formula of the rule, as of football turf: 60 to 85 cm by 1.23 (T - 0.025)² from 2 m.
+    Formula,
+    /// A share of a reference, as of tennis courts: 80 % or more.
+    Share,
+}
+
+impl Kind {
+    /// Every kind.
+    pub const ALL: [Self; 3] = [Self::Height, Self::Formula, Self::Share];
+
+    /// Its name in tables.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Height => "height",
+            Self::Formula => "formula",
+            Self::Share => "share",
+        }
+    }
+
+    fn drop_m(self) -> f64 {
+        match self {
+            Self::Height | Self::Share => 0.305,
+            Self::Formula => 2.0,
+        }
+    }
+
+    /// The limits of heights (m) or of shares.
+    pub const fn limits(self) -> Limits {
+        match self {
+            Self::Height => Limits::between(0.24, 0.26),
+            Self::Formula => Limits::between(0.6, 0.85),
+            Self::Share => Limits::at_least(0.8),
+        }
+    }
+
+    /// Its ball, if it is not the table-tennis ball.
+    fn ball(self) -> Option<&'static Preset> {
+        match self {
+            Self::Height | Self::Share => None,
+            Self::Formula => ball::preset("football").ok(),
+        }
+    }
+
+    fn rule(self) -> Rule {
+        let limits = self.limits();
+        Rule {
+            requirement: match self {
+                Self::Share => Requirement::Share {
+                    limits,
+                    of: "granite".to_owned(),
+                },
+                Self::Height | Self::Formula => Requirement::Height(limits),
+            },
+            formula: (self == Self::Formula).then_some(FORMULA),
+            ..Rule::new("rule", "A rule", self.drop_m())
+        }
+    }
+}
+
+const FORMULA: Formula = Formula {
+    factor_m_s2: 1.23,
+    offset_s: 0.025,
+    read: Reading::Memory,
+};
+
+/// The rebound of the reference of a share, m.
+const REFERENCE_M: f64 = 0.25;
 
 /// How balls are tried.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial {
-    /// The rebound that the ball has, from the height of the rule, m.
-    pub rebound_m: f64,
+    /// The kind of rule.
+    pub kind: Kind,
+    /// What the rule limits, as it is: a height, m, or a share.
+    pub truth: f64,
     /// Drops of each ball.
     pub drops: usize,
     /// By how much the restitution differs from drop to drop, as a share.
     pub between: f64,
-    /// Draws of each inference.
-    pub draws: usize,
 }
 
 impl Trial {
     /// The verdict on one ball; the seed decides everything about it.
     pub fn verdict(&self, seed: u64) -> Outcome {
         let mut chance = ChaCha8Rng::seed_from_u64(seed);
-        let settings = self.settings(seed);
-        let real = RealBall::new(self.rebound_m, &settings, &mut chance);
-        let drops: Vec<Drop> = (0..self.drops)
-            .map(|_| real.dropped(self.between, &settings, &mut chance))
-            .collect();
-        let rule = Rule {
-            requirement: Requirement::Height(LIMITS),
-            ..Rule::new("ittf-ball", "Table-tennis ball", DROP_M)
+        let rule = self.kind.rule();
+        let mut settings = self.kind.ball().map_or_else(Options::default, Options::new);
+        settings.inference = None;
+        settings.priors.drop_height_m = Some(Measured {
+            value: self.kind.drop_m(),
+            sd: HEIGHT_SD_M,
+        });
+        let real = RealBall::new(self.kind, &settings, &mut chance);
+        let mut place = |rebound: Rebound| -> Vec<Drop> {
+            (0..self.drops)
+                .map(|_| real.dropped(rebound, self.between, &settings, &mut chance))
+                .collect()
         };
-        let places = [drops.iter().collect()];
-        let conditions = Conditions::default();
+        let (surface, reference) = match self.kind {
+            Kind::Height => (place(Rebound::Height(self.truth)), Vec::new()),
+            Kind::Formula => (
+                place(Rebound::FirstFlight(
+                    FORMULA.offset_s + (self.truth / FORMULA.factor_m_s2).sqrt(),
+                )),
+                Vec::new(),
+            ),
+            Kind::Share => (
+                place(Rebound::Height(self.truth * REFERENCE_M)),
+                place(Rebound::Height(REFERENCE_M)),
+            ),
+        };
         let verdict = rulebook::judge(
             &rule,
             &settings,
-            &conditions,
-            &places,
-            &[],
+            &Conditions::default(),
+            &[surface.iter().collect()],
+            &[reference.iter().collect()],
             Decision::default(),
         );
         verdict.map_or(Outcome::CannotDecide, |verdict| verdict.outcome)
     }
+}
 
-    fn settings(&self, seed: u64) -> Options {
-        let mut settings = Options::default();
-        settings.priors.drop_height_m = Some(Measured {
-            value: DROP_M,
-            sd: HEIGHT_SD_M,
-        });
-        settings.inference = Some(InferenceOptions {
-            sampler: SamplerConfig {
-                draws: self.draws,
-                seed,
-            },
-            ..InferenceOptions::default()
-        });
-        settings
-    }
+/// What is known of a rebound, from the height of the rule.
+#[derive(Clone, Copy)]
+enum Rebound {
+    /// Its height, m.
+    Height(f64),
+    /// The time to the second impact, s.
+    FirstFlight(f64),
 }
 
 /// A ball as it is, within what the preset says of balls.
 struct RealBall {
+    kind: Kind,
     model: FlightModel,
-    law: Restitution,
     contact_time_s: f64,
 }
 
 impl RealBall {
-    /// A ball, air and gravity drawn from what is known of them, with the restitution that makes it
-    /// rebound so high from the height of the rule.
-    fn new(rebound_m: f64, settings: &Options, chance: &mut ChaCha8Rng) -> Self {
+    /// A ball, air and gravity drawn from what is known of them.
+    fn new(kind: Kind, settings: &Options, chance: &mut ChaCha8Rng) -> Self {
         let known = &settings.priors;
         let mut off = |sd: f64| (sd * normal(chance)).exp();
         let nominal = &settings.environment;
@@ -110,34 +184,49 @@ impl RealBall {
             drag: DragLaw::Constant(coefficient),
             ..*nominal
         };
-        let model = FlightModel::new(&ball, &environment).unwrap();
-        let impact_m_s = model.fall(DROP_M).unwrap().impact_speed_m_s;
-        let launch_m_s = model.from_apex(rebound_m).unwrap().launch_speed_m_s;
-        let exponent = EXPONENT_SD * normal(chance);
         Self {
-            law: Restitution::power(launch_m_s / impact_m_s, impact_m_s, exponent).unwrap(),
-            contact_time_s: settings.contact_time_s,
-            model,
+            kind,
+            model: FlightModel::new(&ball, &environment).unwrap(),
+            contact_time_s: settings.contact_time_s * off(known.contact_time_rel_sd.min(0.3)),
         }
     }
 
     /// A drop of it, detected and analysed.
-    fn dropped(&self, between: f64, settings: &Options, chance: &mut ChaCha8Rng) -> Drop {
-        let height_m = DROP_M + HEIGHT_SD_M * normal(chance);
+    fn dropped(
+        &self,
+        rebound: Rebound,
+        between: f64,
+        settings: &Options,
+        chance: &mut ChaCha8Rng,
+    ) -> Drop {
+        let drop_m = self.kind.drop_m();
+        let impact_m_s = self.model.fall(drop_m).unwrap().impact_speed_m_s;
+        let launch_m_s = match rebound {
+            Rebound::Height(rebound_m) => self.model.from_apex(rebound_m).unwrap().launch_speed_m_s,
+            Rebound::FirstFlight(time_s) => {
+                self.model
+                    .from_flight_time(time_s - self.contact_time_s)
+                    .unwrap()
+                    .launch_speed_m_s
+            }
+        };
+        let law = Restitution::constant(launch_m_s / impact_m_s).unwrap();
+        let height_m = drop_m + HEIGHT_SD_M * normal(chance);
         let livelier = (between * normal(chance)).exp();
         let first_m_s = self.model.fall(height_m).unwrap().impact_speed_m_s;
         let restitution =
-            |speed_m_s| self.law.at(speed_m_s) * livelier * (SCATTER * normal(chance)).exp();
-        let strikes: Vec<ImpactEvent> = bouncing(
+            |speed_m_s| law.at(speed_m_s) * livelier * (SCATTER * normal(chance)).exp();
+        let times: Vec<f64> = bouncing(
             self.model.clone(),
             self.contact_time_s,
             first_m_s,
             restitution,
         )
-        .take(MAX_IMPACTS)
+        .take(3)
+        .map(|strike| strike.time_s)
         .collect();
-        let impacts = strikes.iter().zip(1..).map(|(strike, number)| {
-            let time_s = strike.time_s + TIMING_S * normal(chance);
+        let impacts = times.iter().zip(1..).map(|(time_s, number)| {
+            let time_s = time_s + TIMING_S * normal(chance);
             Impact::new(number, time_s).with_time_sd_s(TIMING_S)
         });
         analysis::analyze_impacts(impacts.collect(), settings)

@@ -6,11 +6,11 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use bouncelab::Plain;
-use bouncelab::rulebook::{self, Decision, Outcome, Place, Rule};
+use bouncelab::rulebook::{self, Decision, Item, Outcome, Place, Rule, Verdict};
 use bouncelab::settings::{Settings, Setup};
 use bouncelab_report::document::verdict::{Evaluation, VerdictDocument};
-use bouncelab_report::report::Provenance;
-use bouncelab_report::report::verdict::of_verdict;
+use bouncelab_report::report::verdict::{TestNotes, of_verdict, outcome};
+use bouncelab_report::report::{Page, Provenance};
 use bouncelab_session::hash::hash_of_file;
 use clap::{Args, ValueEnum};
 
@@ -23,11 +23,11 @@ use crate::settings::SettingsArguments;
 use crate::terminal::{print, print_json};
 use crate::units;
 
-/// Test drops against the rule of a sport: pass, fail, or cannot decide
+/// Test drops by the procedure of a rule: conforms, does not conform, or cannot decide
 ///
 /// Each file is one place on the surface, with one or more drops. Ball and height are those of the
-/// rule unless you state others. Exit status: 0 pass, 1 a file cannot be read or holds no drop, 2 wrong
-/// usage, 3 fail, 4 cannot decide.
+/// rule unless you state others. Exit status: 0 conforms, 1 a file cannot be read or holds no drop, 2 wrong
+/// usage, 3 does not conform, 4 cannot decide, 5 conforms as far as shown.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -42,6 +42,9 @@ pub(crate) struct Arguments {
     reference: Vec<PathBuf>,
     #[command(flatten)]
     rules: Files,
+    /// Parts of the procedure that were kept and that nothing else shows: surface, reference, conditioning
+    #[arg(long, value_name = "PART", num_args = 1..)]
+    kept: Vec<String>,
     /// Decision rule
     #[arg(long, value_enum, default_value_t = DecisionRule::Guarded)]
     decision: DecisionRule,
@@ -70,52 +73,133 @@ Examples:
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum DecisionRule {
-    /// Guarded acceptance (JCGM 106): pass or fail only if it is wrong with at most the risk
+    /// Guarded acceptance (JCGM 106): a decision only if it is wrong with at most the risk
     Guarded,
     /// Simple acceptance: the more probable outcome
     Simple,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Format {
+pub(crate) enum Format {
     /// For people
     Text,
     /// For programs
     Json,
 }
 
-/// Drops of the same surface, by file.
-struct Surface {
-    recordings: Vec<Analysed>,
+/// Drops of the same surface, by place.
+#[derive(Default)]
+pub(crate) struct Surface {
+    names: Vec<String>,
+    places: Vec<Vec<Analysed>>,
 }
 
 impl Surface {
+    /// Each file is a place.
     fn new(files: &[PathBuf], setup: &Setup) -> Result<Self, Failure> {
-        let recordings = files
-            .iter()
-            .map(|file| {
-                let analysed = read(file, &setup.options, false)?;
-                match analysed.no_drop() {
-                    Some(reason) => Err(Failure::Input(reason)),
-                    None => Ok(analysed),
-                }
-            })
-            .collect::<Result<Vec<Analysed>, Failure>>()?;
-        Ok(Self { recordings })
+        let mut surface = Self::default();
+        for file in files {
+            let analysed = read(file, &setup.options, false)?;
+            if let Some(reason) = analysed.no_drop() {
+                return Err(Failure::Input(reason));
+            }
+            surface.push(analysed.name.clone(), vec![analysed]);
+        }
+        Ok(surface)
+    }
+
+    /// Adds a place.
+    pub(crate) fn push(&mut self, name: String, recordings: Vec<Analysed>) {
+        self.names.push(name);
+        self.places.push(recordings);
     }
 
     fn places(&self) -> Vec<Place<'_>> {
-        self.recordings
-            .iter()
-            .map(|analysed| analysed.result.drops.iter().collect())
+        let places = self.places.iter();
+        places
+            .map(|recordings| {
+                recordings
+                    .iter()
+                    .flat_map(|analysed| &analysed.result.drops)
+                    .collect()
+            })
             .collect()
     }
+}
 
-    fn names(&self) -> Vec<String> {
-        self.recordings
-            .iter()
-            .map(|analysed| analysed.name.clone())
-            .collect()
+/// A verdict and all that it rests on.
+pub(crate) struct Test<'a> {
+    rule: &'a Rule,
+    setup: &'a Setup,
+    decision: Decision,
+    verdict: Verdict,
+    surface: Surface,
+    reference: Surface,
+}
+
+impl<'a> Test<'a> {
+    pub(crate) fn new(
+        rule: &'a Rule,
+        setup: &'a Setup,
+        surface: Surface,
+        reference: Surface,
+        decision: Decision,
+    ) -> Result<Self, Failure> {
+        let (places, reference_places) = (surface.places(), reference.places());
+        let verdict = rulebook::judge(
+            rule,
+            &setup.options,
+            &setup.conditions,
+            &places,
+            &reference_places,
+            decision,
+        )?;
+        Ok(Self {
+            rule,
+            setup,
+            decision,
+            verdict,
+            surface,
+            reference,
+        })
+    }
+
+    fn evaluation(&self) -> Evaluation<'_> {
+        Evaluation {
+            rule: self.rule,
+            verdict: &self.verdict,
+            decision: self.decision,
+            files: &self.surface.names,
+            reference_files: &self.reference.names,
+            setup: self.setup,
+        }
+    }
+
+    /// The decision in a line.
+    pub(crate) fn result(&self) -> String {
+        outcome(&self.verdict, translator())
+    }
+
+    pub(crate) fn text(&self) -> String {
+        text::report(&self.evaluation())
+    }
+
+    pub(crate) fn document(&self) -> VerdictDocument {
+        VerdictDocument::new(&self.evaluation(), translator())
+    }
+
+    pub(crate) fn page(&self, provenance: &Provenance, notes: Option<&TestNotes>) -> Page {
+        of_verdict(&self.evaluation(), provenance, notes, translator())
+    }
+
+    /// The exit status.
+    pub(crate) fn status(&self) -> Result<(), Failure> {
+        match self.verdict.outcome {
+            Outcome::Conforms => Ok(()),
+            Outcome::DoesNotConform => Err(Failure::NoPass(3)),
+            Outcome::CannotDecide => Err(Failure::NoPass(4)),
+            Outcome::ConformsAsFarAsShown => Err(Failure::NoPass(5)),
+        }
     }
 }
 
@@ -137,7 +221,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
     };
     let settings = arguments.settings.settings()?;
-    let setup = setup(arguments, &settings, rule)?;
+    let mut setup = setup_of_rule(&settings, rule, |settings| {
+        arguments.settings.resolve(settings)
+    })?;
+    if !arguments.settings.allow_implausible() {
+        check_height(&setup, rule)?;
+    }
+    let kept = arguments.kept.iter().map(|name| Item::stated(name));
+    setup.conditions.kept = kept.collect::<Result<_, _>>()?;
     if !rule.needs_reference() && !arguments.reference.is_empty() {
         return Err(Failure::Usage(format!(
             "the rule {} compares with no other surface; omit --reference",
@@ -156,46 +247,19 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .transpose()?;
     let surface = Surface::new(&arguments.files, &setup)?;
     let reference = Surface::new(&arguments.reference, &setup)?;
-    let conditions = rulebook::Conditions {
-        temperature_k: settings.air.temperature_k,
-        altitude_m: settings.gravity.altitude_m,
-    };
-    let verdict = rulebook::judge(
-        rule,
-        &setup.options,
-        &conditions,
-        &surface.places(),
-        &reference.places(),
-        decision,
-    )?;
-    let (files, reference_files) = (surface.names(), reference.names());
-    let evaluation = Evaluation {
-        rule,
-        verdict: &verdict,
-        decision,
-        files: &files,
-        reference_files: &reference_files,
-        setup: &setup,
-    };
+    let test = Test::new(rule, &setup, surface, reference, decision)?;
     if let Some(file) = report_file {
         let provenance = Provenance {
             files: hashes,
             ..provenance()
         };
-        file.write(&of_verdict(&evaluation, &provenance, translator()))?;
+        file.write(&test.page(&provenance, None))?;
     }
     match arguments.format {
-        Format::Text => print(text::report(&evaluation))?,
-        Format::Json => {
-            let document = VerdictDocument::new(&evaluation, translator());
-            print_json(&document)?;
-        }
+        Format::Text => print(test.text())?,
+        Format::Json => print_json(&test.document())?,
     }
-    match verdict.outcome {
-        Outcome::Pass => Ok(()),
-        Outcome::Fail => Err(Failure::NoPass(3)),
-        Outcome::CannotDecide => Err(Failure::NoPass(4)),
-    }
+    test.status()
 }
 
 /// Name and hash of each file, once each: the same drop counted twice would make a verdict seem more certain than it is.
@@ -222,7 +286,11 @@ fn once_each<'a>(
 }
 
 /// The options of the settings, with the ball and the height of the rule where they state none.
-fn setup(arguments: &Arguments, settings: &Settings, rule: &Rule) -> Result<Setup, Failure> {
+pub(crate) fn setup_of_rule(
+    settings: &Settings,
+    rule: &Rule,
+    resolve: impl FnOnce(&Settings) -> Result<Setup, Failure>,
+) -> Result<Setup, Failure> {
     let mut settings = settings.clone();
     let unstated = settings.ball.kind.is_none() && settings.ball.mass_kg.is_none();
     if unstated {
@@ -235,33 +303,26 @@ fn setup(arguments: &Arguments, settings: &Settings, rule: &Rule) -> Result<Setu
             rule.name
         )));
     }
-    let mut setup = arguments.settings.resolve(&settings)?;
-    if setup.options.inference.is_none() {
-        return Err(Failure::Usage(
-            "a verdict needs the inference; omit --no-inference".to_owned(),
-        ));
-    }
-    let of_rule = rule.fall_m(setup.options.ball.diameter_m(), None);
-    let stated = setup.options.priors.drop_height_m;
-    if let (Some(stated), Some(of_rule)) = (stated, of_rule)
-        && !arguments.settings.allow_implausible()
-    {
-        check_height(stated.value, of_rule)?;
-    }
+    let mut setup = resolve(&settings)?;
     setup.assume(rule, unstated);
     Ok(setup)
 }
 
 /// A height far from that of the rule is probably in another unit.
-fn check_height(stated_m: f64, of_rule_m: f64) -> Result<(), Failure> {
+fn check_height(setup: &Setup, rule: &Rule) -> Result<(), Failure> {
     const OUTLIER_THRESHOLD: f64 = 8.0;
-    let factor = stated_m / of_rule_m;
+    let of_rule = rule.fall_m(setup.options.ball.diameter_m(), None);
+    let Some((stated, of_rule_m)) = setup.conditions.drop_height_m.zip(of_rule) else {
+        return Ok(());
+    };
+    let factor = stated.value / of_rule_m;
     if (1.0 / OUTLIER_THRESHOLD..OUTLIER_THRESHOLD).contains(&factor) {
         return Ok(());
     }
     Err(Failure::Usage(format!(
-        "--height {stated_m} m is {} times the rule's {of_rule_m:.3} m: is the unit right? Correct it, or \
+        "--height {} m is {} times the rule's {of_rule_m:.3} m: is the unit right? Correct it, or \
          accept it with --allow-implausible",
+        stated.value,
         (factor * 1000.0).round() / 1000.0
     )))
 }

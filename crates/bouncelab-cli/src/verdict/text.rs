@@ -5,7 +5,9 @@ use std::fmt::Write;
 use bouncelab::rulebook::{Decision, Rule, Verdict};
 use bouncelab_report::Table;
 use bouncelab_report::document::verdict::Evaluation;
-use bouncelab_report::report::verdict::{because, by_rule, differences, drop_table, outcome, ways};
+use bouncelab_report::report::verdict::{
+    because, budget, by_rule, drop_table, outcome, procedure, ways,
+};
 use bouncelab_report::rules::words;
 
 use crate::analyze::{assumed, note};
@@ -33,14 +35,17 @@ pub(super) fn report(evaluation: &Evaluation<'_>) -> String {
         add(&mut page, &format!("  {because}"));
     }
     add(&mut page, "");
+    add(
+        &mut page,
+        &indented(&procedure(rule, &verdict.procedure, translator())),
+    );
+    add(&mut page, "");
     add(&mut page, &indented(&ways(verdict, translator())));
-    if let Some(steps) = differences(verdict, translator()) {
+    if let Some(mean) = &verdict.rebound {
         add(&mut page, "");
-        add(
-            &mut page,
-            &format!("  {}", translator().with_colon(&text("verdict-steps"))),
-        );
-        add(&mut page, &indented(&steps));
+        let title = translator().with_colon(&text("verdict-budget"));
+        add(&mut page, &format!("  {title}"));
+        add(&mut page, &indented(&budget(mean, translator())));
     }
     add(&mut page, "");
     add(
@@ -80,8 +85,7 @@ fn indented(table: &Table) -> String {
 }
 
 fn of_rule(rule: &Rule) -> Vec<String> {
-    let source = std::iter::once(&rule.source).chain(&rule.edition);
-    let source = source.map(String::as_str).collect::<Vec<_>>().join(", ");
+    let source = rule.source.citation();
     let surface = rule.surface.as_deref();
     let surface = surface.map(|name| words::surface(name, translator()));
     let wants = [
@@ -90,7 +94,7 @@ fn of_rule(rule: &Rule) -> Vec<String> {
         ("wanted", words::wanted(rule, translator()).into()),
         ("point", words::point(rule.point(), translator()).into()),
     ];
-    let status = words::status(rule.status, translator());
+    let status = words::read(rule.source.read, translator());
     vec![
         format!(
             "{} {} ({})",

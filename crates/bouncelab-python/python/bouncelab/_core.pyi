@@ -164,8 +164,7 @@ class Judge:
         places: list[Recording],
         reference: list[Recording],
         risk: float | None,
-        temperature_k: float | None,
-        altitude_m: float | None,
+        kept: list[str],
     ) -> Verdict: ...
 
 @final

@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from bouncelab._analyze import Given
 
 
+Outcome = Literal["conforms", "conforms-as-far-as-shown", "does-not-conform", "cannot-decide"]
+
+
 @dataclass(frozen=True, slots=True)
 class Rule:
     """A rule of a sport.
@@ -57,15 +60,15 @@ class Verdict(Reported):
     >>> sound = bl.synthesize(height_m=0.305, restitution=0.6, bounces=8, seed=1)
     >>> found = bl.verdict([sound.samples], "ittf-ball", sample_rate_hz=sound.sample_rate_hz, draws=500)
     >>> found.outcome
-    'fail'
+    'does-not-conform'
     >>> found.rebound_m.value < 0.24
     True
     """
 
     @property
-    def outcome(self) -> Literal["pass", "fail", "cannot-decide"]:
+    def outcome(self) -> Outcome:
         """The verdict."""
-        outcome: Literal["pass", "fail", "cannot-decide"] = self._field("outcome")  # type: ignore[assignment]
+        outcome: Outcome = self._field("outcome")  # type: ignore[assignment]
         return outcome
 
     @property
@@ -75,8 +78,14 @@ class Verdict(Reported):
 
     @property
     def rebound_m(self) -> Estimate | None:
-        """The mean rebound over the drops, in m, at the point at which the rule measures."""
+        """The mean rebound by the procedure of the rule, in m, at the point at which it measures."""
         found = self._field("rebound_m")
+        return None if found is None else read(Estimate, found)
+
+    @property
+    def model(self) -> Estimate | None:
+        """What the model answers in place of the procedure: a height in m, or a share of the reference."""
+        found = self._field("model")
         return None if found is None else read(Estimate, found)
 
     @property
@@ -137,6 +146,7 @@ def verdict(
     reference: Given | Iterable[Given] = (),
     sample_rate_hz: float | None = None,
     risk: float | None = 0.05,
+    kept: Iterable[str] = (),
     rule_files: str | PathLike[str] | Iterable[str | PathLike[str]] = (),
     **options: Unpack[Options],
 ) -> Verdict:
@@ -156,6 +166,9 @@ def verdict(
     risk : float or None
         Greatest probability of a wrong decision (JCGM 106), above 0, at most 0.5; ``None`` takes whatever is
         more probable.
+    kept : iterable of str
+        Parts of the procedure that were kept and that nothing else shows: ``surface``, ``reference``,
+        ``conditioning``.
     rule_files : iterable of paths
         Rules of your own, as TOML.
     **options
@@ -178,8 +191,8 @@ def verdict(
     >>> sounds = [bl.synthesize(height_m=0.305, restitution=0.93, bounces=15, seed=seed) for seed in (1, 2, 3)]
     >>> drops = [sound.samples for sound in sounds]
     >>> found = bl.verdict(drops, "ittf-ball", sample_rate_hz=44_100, draws=500)
-    >>> found.outcome in ("pass", "fail", "cannot-decide")
-    True
+    >>> found.outcome
+    'conforms-as-far-as-shown'
     """
     judge = _core.Judge(text("rule", rule), listed("rule_files", rule_files))
     options.setdefault("height_m", None)
@@ -188,8 +201,6 @@ def verdict(
         if judge.ball() is None:
             raise InputError(f"the rule {rule} names no ball that is known; give ball=, or mass_kg= and diameter_m=")
         options["ball"] = judge.ball()
-    if options.get("draws", 0) is None:
-        raise InputError("a verdict rests on the inference; give a number of draws")
     completed = judge.complete(analyzer(**options), is_its_ball)
 
     def surface(sources: object) -> list[_core.Recording]:
@@ -200,9 +211,8 @@ def verdict(
     if there and not judge.needs_reference():
         raise InputError(f"the rule {rule} compares with no other surface; leave out reference=")
     _check([Recording(each) for each in (*here, *there)])
-    temperature_k, altitude_m = options.get("temperature_k"), options.get("altitude_m")
     accepted = None if risk is None else number("risk", risk)
-    judged = judge.judge(completed, here, there, accepted, temperature_k, altitude_m)
+    judged = judge.judge(completed, here, there, accepted, [text("kept", part) for part in kept])
     languages = _core.languages()
     return Verdict(
         {language: judged.document(language) for language in languages},

@@ -3,10 +3,7 @@ terminal-advice-scatter-exceeds-prior = Die Streuung dieser Fläche nennt --know
 terminal-advice-contact-overlaps = Die Optionen sind --exclude, --ball und --contact-time.
 terminal-advice-restitution-undetermined = Die Option ist --height.
 terminal-advice-ball-floats = Die Option ist --no-buoyancy.
-terminal-advice-rule-needs-reference = Nenne sie nach --reference.
 terminal-advice-rule-needs-height = Gib sie mit --height an.
-terminal-advice-temperature-not-stated = Gib sie mit --temperature an.
-terminal-advice-altitude-not-stated = Gib sie mit --altitude an.
 terminal-advice-no-channel = Wähle einen anderen mit --channel.
 terminal-advice-too-many-channels = Die Option ist --channel.
 

@@ -107,7 +107,6 @@ diagnostic-missed-in-a-row = { $missed } Aufpralle in Folge fehlen nach Aufprall
 diagnostic-flight-too-long = Der Flug nach Aufprall { $after } dauert { $duration_s }, was der Luftwiderstand bei diesem Ball unmöglich macht. Ergänze einen dort verpassten Aufprall, oder prüfe Masse, Durchmesser und die Einheit der Zeiten.
 diagnostic-gains-speed = Der Ball gewänne bei jedem Aufprall an Tempo, was ruhender Untergrund nicht gibt; stehen die Zeiten der Reihe nach, in Sekunden, und sind sie von einem Versuch?
 diagnostic-variances-confounded = Die Varianzen dieser Gruppen lassen sich nicht trennen.
-diagnostic-height-out-of-reach = Die Höhe der Regel liegt weit über denen, aus denen der Ball nach seinen Flügen fiel.
 
 diagnostic-out-of-range = { $quantity }: { $value }{ $unit ->
     [none] {""}
@@ -184,44 +183,19 @@ diagnostic-prior-height-flat = Fallhöhe: beliebig (im Logarithmus gleich vertei
 diagnostic-prior-release = Loslassen: gemessen, { $release_s } s ± { $sd_s }.
 diagnostic-prior-missed = Jeder weitere Aufprall, der am Anfang fehlt: halb so wahrscheinlich; wo es still war, so gut wie unmöglich. In einer Liste von Zeiten zeigt nichts, ob Aufpralle fehlen.
 
-diagnostic-rule-needs-drops = Die Regel verlangt { $needed } Versuche, hier { $given ->
-    [0] ist es keiner
-    [one] ist es einer
-   *[other] sind es { $given }
-  }.
-diagnostic-rule-needs-reference-drops = Die Regel verlangt { $needed } Versuche auf der Referenz, hier { $given ->
-    [0] ist es keiner
-    [one] ist es einer
-   *[other] sind es { $given }
-  }.
-diagnostic-rule-needs-reference = Die Regel vergleicht mit einem Referenzuntergrund: Sie braucht Aufnahmen desselben Balls darauf.
-diagnostic-rule-needs-places = Die Regel verlangt, dass Stellen einander gleichen, und hier ist es eine: Sie braucht eine Aufnahme von jeder Stelle.
 diagnostic-rule-without-limits = Die Regel nennt keine Grenzen.
+diagnostic-procedure-not-kept = Das Verfahren der Regel wurde nicht eingehalten: { $item }.
+diagnostic-drop-without-first-flight = Der erste Flug von Versuch { $drop } wurde nicht erkannt: Die Regel verlangt den Rücksprung nach dem ersten Aufprall.
+diagnostic-rule-secondary = Nicht der Text dieser Regel wurde gelesen, sondern einer, der sie anführt: Prüf die gültige Ausgabe, bevor du dich auf ein Urteil verlässt.
+diagnostic-model-differs = Das Modell gibt einen anderen Wert als das Verfahren der Regel, um mehr als die Unsicherheiten beider; das Urteil folgt dem Verfahren.
+diagnostic-drops-that-decide = { $drops } Versuche mit diesem Mittel und dieser Streuung würden entscheiden.
+diagnostic-no-drops-decide = Mehr Versuche würden nicht entscheiden: Was allen gemeinsam ist, wie Fallhöhe und Kontaktzeit, ist zu unsicher.
 diagnostic-rule-needs-height = Die Regel nennt keine Höhe, und niemand hat angegeben, aus welcher der Ball fiel.
-diagnostic-rule-temperature = Bei { $temperature_k } °C gilt die Regel nicht.
-diagnostic-rule-altitude = In { $altitude_m } Höhe über dem Meer gilt die Regel nicht.
-diagnostic-drop-without-rebound = Versuch { $drop } legt seinen Rücksprung nicht fest: { $reason }
 diagnostic-limit-within-uncertainty = Eine Grenze liegt innerhalb der Unsicherheit; mehr oder bessere Versuche würden helfen.
-diagnostic-rule-unverified = Diese Regel ist nicht geprüft: Niemand hat sie in ihrer Quelle gelesen; verlass dich nicht auf sie.
-diagnostic-formula-unverified = Die Formel dieser Regel ist nicht geprüft: Niemand hat sie in ihrer Quelle gelesen.
+diagnostic-rule-unverified = Diese Regel wurde aus dem Gedächtnis aufgeschrieben; verlass dich nicht auf sie.
+diagnostic-formula-unverified = Der Text der Formel dieser Regel wurde nicht gelesen ({ $read }).
 diagnostic-rule-other-ball = Die Regel gilt für einen Ball der Art { $ball }, und der angegebene ist nach Masse oder Durchmesser ein anderer: Ist es die richtige Regel?
 diagnostic-rule-without-point = Wo am Ball diese Regel misst, ist nicht vermerkt; es gilt der tiefste Punkt.
-diagnostic-temperature-not-stated = Die Regel gilt { $least_k ->
-    [none] bis { $greatest_k } °C
-   *[other] { $greatest_k ->
-        [none] ab { $least_k } °C
-       *[other] von { $least_k } bis { $greatest_k } °C
-      }
-  }, und niemand hat die Temperatur angegeben.
-diagnostic-altitude-not-stated = Die Regel gilt { $least_m ->
-    [none] bis { $greatest_m } über dem Meer
-   *[other] { $greatest_m ->
-        [none] ab { $least_m } über dem Meer
-       *[other] von { $least_m } bis { $greatest_m } über dem Meer
-      }
-  }, und niemand hat die Höhe über dem Meer angegeben.
-diagnostic-rule-other-height = Der Ball fiel { $dropped_m }, die Regel lässt ihn { $rule_m } fallen: Der Rücksprung ist für die Höhe der Regel vorhergesagt.
-diagnostic-rule-extrapolated = Der Aufprall der Regel ist { $factor } % schneller als jeder erkannte: Sein Rücksprung beruht darauf, wie die Stoßzahl vom Tempo abhängt.
 diagnostic-verdict-of-few-drops = { $drops ->
     [one] Das Urteil beruht auf diesem einen Versuch: Wie sehr sich Versuche unterscheiden, zeigt er nicht; drei oder mehr würden es.
    *[other] Zwei Versuche zeigen kaum, wie sehr sich Versuche unterscheiden, was ihr Mittel unsicher macht; ein dritter hülfe viel.

@@ -17,6 +17,8 @@ rule-title-table-tennis-table = Tischtennistisch
 rule-title-tennis-ball-types-1-to-3 = Tennisball, Typen 1 bis 3
 rule-title-tennis-ball-for-high-altitude = Tennisball für große Höhen
 rule-title-padel-ball = Padelball
+rule-title-padel-ball-for-high-altitude = Padelball für große Höhen
+rule-title-tennis-ball-type-1-by-another-source = Tennisball, Typ 1, nach anderer Quelle
 
 rule-surface-granite-plate = Granitplatte
 rule-surface-the-court = der Platz
@@ -29,9 +31,13 @@ rule-surface-steel-block = Stahlblock
 rule-surface-approved-table = zugelassener Tisch
 rule-surface-the-table = der Tisch
 rule-surface-smooth-granite = glatter Granit
+rule-surface-a-hard-surface = ein harter Untergrund
 
 rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = beide Höhen gelten als die der Oberkante des Balls
-rule-note-the-itf-recommends-these-values-it-does-not-demand-them-one-recording-for-each-place = die ITF empfiehlt diese Werte, sie verlangt sie nicht; eine Aufnahme für jede Stelle
-rule-note-one-recording-for-each-point-of-the-floor = eine Aufnahme für jede Stelle des Bodens
+rule-note-the-itf-recommends-these-values-it-does-not-demand-them = die ITF empfiehlt diese Werte, sie verlangt sie nicht
 rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = ein Verfahren für jeden Ball aus jeder Höhe; es gibt den Anteil an und setzt keine Grenze
 rule-note-the-law-says-about-23-cm-and-not-how-near = die Regel sagt etwa 23 cm, und nicht, wie genau
+rule-note-texts-that-cite-the-booklet-of-the-itf-give-138-to-151-cm-for-type-1-see-itf-tennis-type-1 = Texte, die das Heft der ITF anführen, geben 138 bis 151 cm für Typ 1: siehe itf-tennis-type-1
+rule-note-copies-of-the-rules-of-tennis-give-135-to-147-cm-for-types-1-to-3-see-itf-tennis = Abschriften der Tennisregeln geben 135 bis 147 cm für die Typen 1 bis 3: siehe itf-tennis
+rule-conditioning-24-hours-in-a-controlled-environment-pre-compressed-on-three-axes-tested-within-two-hours = 24 Stunden in geregeltem Raumklima, in drei Achsen vorgedrückt, binnen zwei Stunden geprüft
+rule-conditioning-balls-pressurised-at-21-to-25-c-pre-compressed-three-times-on-three-diameters = Bälle unter Druck bei 21 bis 25 °C, dreimal in drei Durchmessern vorgedrückt

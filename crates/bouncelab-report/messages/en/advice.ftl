@@ -5,10 +5,7 @@ terminal-advice-scatter-exceeds-prior = State the scatter of this surface with -
 terminal-advice-contact-overlaps = The options are --exclude, --ball and --contact-time.
 terminal-advice-restitution-undetermined = The option is --height.
 terminal-advice-ball-floats = The option is --no-buoyancy.
-terminal-advice-rule-needs-reference = Give them after --reference.
 terminal-advice-rule-needs-height = State it with --height.
-terminal-advice-temperature-not-stated = State it with --temperature.
-terminal-advice-altitude-not-stated = State it with --altitude.
 terminal-advice-no-channel = Choose another with --channel.
 terminal-advice-too-many-channels = The option is --channel.
 

@@ -110,7 +110,6 @@ diagnostic-missed-in-a-row = { $missed } impacts in a row were missed after impa
 diagnostic-flight-too-long = The flight after impact { $after } lasts { $duration_s }, which air drag makes impossible for this ball. Include an impact that was missed there, or check mass, diameter and the unit of the times.
 diagnostic-gains-speed = The ball would gain speed at most impacts, which is impossible on a surface at rest; are the times in order, in seconds, and of one drop?
 diagnostic-variances-confounded = The variances of these groups cannot be separated.
-diagnostic-height-out-of-reach = The height of the rule is far greater than the detected drop heights.
 
 diagnostic-out-of-range = { $quantity } is { $value }{ $unit ->
     [none] {""}
@@ -187,44 +186,19 @@ diagnostic-prior-height-flat = Drop height: uniform in its logarithm.
 diagnostic-prior-release = Release: measured, { $release_s } s ± { $sd_s }.
 diagnostic-prior-missed = Each further impact missed at the start: half as likely; where the sound was quiet, next to impossible. In a list of times nothing shows whether impacts were missed.
 
-diagnostic-rule-needs-drops = The rule needs { $needed } drops, and there { $given ->
-    [0] are none
-    [one] is 1
-   *[other] are { $given }
-  }.
-diagnostic-rule-needs-reference-drops = The rule needs { $needed } drops on the reference, and there { $given ->
-    [0] are none
-    [one] is 1
-   *[other] are { $given }
-  }.
-diagnostic-rule-needs-reference = The rule compares with a reference surface: it needs recordings of the same ball on that surface.
-diagnostic-rule-needs-places = The rule compares places, and there is one: it needs one recording for each place.
 diagnostic-rule-without-limits = The rule states no limits.
+diagnostic-procedure-not-kept = The procedure of the rule was not kept: { $item }.
+diagnostic-drop-without-first-flight = The first flight of drop { $drop } was not detected: the rule asks for the rebound of the first impact.
+diagnostic-rule-secondary = The text of this rule was not read, but one that cites it: check the current edition before you rely on a verdict.
+diagnostic-model-differs = The model gives another value than the procedure of the rule, by more than the uncertainties of both; the verdict is by the procedure.
+diagnostic-drops-that-decide = { $drops } drops with this mean and scatter would decide.
+diagnostic-no-drops-decide = More drops would not decide: what all of them share is too uncertain, as the height of release and the contact time.
 diagnostic-rule-needs-height = The rule states no height, and the drop height was not stated.
-diagnostic-rule-temperature = { $temperature_k } °C is outside the temperature range of the rule.
-diagnostic-rule-altitude = { $altitude_m } above sea level is outside the altitude range of the rule.
-diagnostic-drop-without-rebound = Drop { $drop } does not determine its rebound: { $reason }
 diagnostic-limit-within-uncertainty = A limit lies within the uncertainty; more or better drops would help.
-diagnostic-rule-unverified = This rule is unverified: it was not checked against its source; do not rely on it.
-diagnostic-formula-unverified = The formula of this rule is unverified: it was not checked against its source.
+diagnostic-rule-unverified = This rule was written from memory; do not rely on it.
+diagnostic-formula-unverified = The text of the formula of this rule was not read ({ $read }).
 diagnostic-rule-other-ball = The rule is for a ball of the kind { $ball }, and the stated ball has another mass or diameter: is it the right rule?
 diagnostic-rule-without-point = The rule does not state at which point of the ball it measures; the lowest point is taken.
-diagnostic-temperature-not-stated = The rule holds { $least_k ->
-    [none] up to { $greatest_k } °C
-   *[other] { $greatest_k ->
-        [none] from { $least_k } °C
-       *[other] from { $least_k } to { $greatest_k } °C
-      }
-  }, and the temperature was not stated.
-diagnostic-altitude-not-stated = The rule holds { $least_m ->
-    [none] up to { $greatest_m } above sea level
-   *[other] { $greatest_m ->
-        [none] from { $least_m } above sea level
-       *[other] from { $least_m } to { $greatest_m } above sea level
-      }
-  }, and the altitude was not stated.
-diagnostic-rule-other-height = The ball fell { $dropped_m }, and the rule requires { $rule_m }: the rebound is predicted for the height of the rule.
-diagnostic-rule-extrapolated = The rule's impact is { $factor } % faster than any detected: its rebound depends on the extrapolated restitution.
 diagnostic-verdict-of-few-drops = { $drops ->
     [one] The verdict is for this one drop: it does not show the scatter between drops; three or more would.
    *[other] Two drops hardly show the scatter between drops, so their mean is uncertain; a third would help much.

@@ -17,6 +17,8 @@ rule-title-table-tennis-table = Table-tennis table
 rule-title-tennis-ball-types-1-to-3 = Tennis ball, types 1 to 3
 rule-title-tennis-ball-for-high-altitude = Tennis ball for high altitude
 rule-title-padel-ball = Padel ball
+rule-title-padel-ball-for-high-altitude = Padel ball for high altitude
+rule-title-tennis-ball-type-1-by-another-source = Tennis ball, type 1, by another source
 
 rule-surface-granite-plate = granite plate
 rule-surface-the-court = the court
@@ -29,9 +31,13 @@ rule-surface-steel-block = steel block
 rule-surface-approved-table = approved table
 rule-surface-the-table = the table
 rule-surface-smooth-granite = smooth granite
+rule-surface-a-hard-surface = a hard surface
 
 rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = both heights are taken to be of the top of the ball
-rule-note-the-itf-recommends-these-values-it-does-not-demand-them-one-recording-for-each-place = the ITF recommends these values, it does not demand them; one recording for each place
-rule-note-one-recording-for-each-point-of-the-floor = one recording for each point of the floor
+rule-note-the-itf-recommends-these-values-it-does-not-demand-them = the ITF recommends these values, it does not demand them
 rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = a method for any ball from any height; it states the percentage and sets no limit
 rule-note-the-law-says-about-23-cm-and-not-how-near = the law says about 23 cm, and not how near
+rule-note-texts-that-cite-the-booklet-of-the-itf-give-138-to-151-cm-for-type-1-see-itf-tennis-type-1 = texts that cite the booklet of the ITF give 138 to 151 cm for type 1: see itf-tennis-type-1
+rule-note-copies-of-the-rules-of-tennis-give-135-to-147-cm-for-types-1-to-3-see-itf-tennis = copies of the Rules of Tennis give 135 to 147 cm for types 1 to 3: see itf-tennis
+rule-conditioning-24-hours-in-a-controlled-environment-pre-compressed-on-three-axes-tested-within-two-hours = 24 hours in a controlled environment, pre-compressed on three axes, tested within two hours
+rule-conditioning-balls-pressurised-at-21-to-25-c-pre-compressed-three-times-on-three-diameters = balls pressurised at 21 to 25 °C, pre-compressed three times on three diameters

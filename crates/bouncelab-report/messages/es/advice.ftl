@@ -3,10 +3,7 @@ terminal-advice-scatter-exceeds-prior = Indique la dispersión de esta superfici
 terminal-advice-contact-overlaps = Las opciones son --exclude, --ball y --contact-time.
 terminal-advice-restitution-undetermined = La opción es --height.
 terminal-advice-ball-floats = La opción es --no-buoyancy.
-terminal-advice-rule-needs-reference = Délas después de --reference.
 terminal-advice-rule-needs-height = Indíquela con --height.
-terminal-advice-temperature-not-stated = Indíquela con --temperature.
-terminal-advice-altitude-not-stated = Indíquela con --altitude.
 terminal-advice-no-channel = Elija otro con --channel.
 terminal-advice-too-many-channels = La opción es --channel.
 

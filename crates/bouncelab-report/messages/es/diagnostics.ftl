@@ -104,7 +104,6 @@ diagnostic-missed-in-a-row = Se perdieron { $missed } impactos seguidos después
 diagnostic-flight-too-long = El vuelo después del impacto { $after } dura { $duration_s }, lo que el arrastre del aire hace imposible con esta pelota. Incluya un impacto perdido ahí, o compruebe la masa, el diámetro y la unidad de los tiempos.
 diagnostic-gains-speed = La pelota ganaría velocidad en la mayoría de los impactos, lo cual es imposible sobre una superficie en reposo; ¿están los tiempos en orden, en segundos, y son de un solo ensayo?
 diagnostic-variances-confounded = Las varianzas de estos grupos no se pueden separar.
-diagnostic-height-out-of-reach = La altura de la regla es mucho mayor que las alturas de caída detectadas.
 
 diagnostic-out-of-range = { $quantity }: { $value }{ $unit ->
     [none] {""}
@@ -173,36 +172,19 @@ diagnostic-prior-height-flat = Altura de caída: uniforme en su logaritmo.
 diagnostic-prior-release = Suelta: medida, { $release_s } s ± { $sd_s }.
 diagnostic-prior-missed = Cada impacto más perdido al principio: la mitad de probable; donde había silencio, casi imposible. En una lista de tiempos nada muestra si se perdieron impactos.
 
-diagnostic-rule-needs-drops = La regla necesita { $needed } ensayos, y hay { $given }.
-diagnostic-rule-needs-reference-drops = La regla necesita { $needed } ensayos sobre la referencia, y hay { $given }.
-diagnostic-rule-needs-reference = La regla compara con una superficie de referencia: necesita grabaciones de la misma pelota sobre esa superficie.
-diagnostic-rule-needs-places = La regla compara lugares, y hay uno solo: necesita una grabación de cada lugar.
 diagnostic-rule-without-limits = La regla no indica límites.
+diagnostic-procedure-not-kept = No se siguió el procedimiento de la regla: { $item }.
+diagnostic-drop-without-first-flight = No se detectó el primer vuelo del ensayo { $drop }: la regla pide el rebote del primer impacto.
+diagnostic-rule-secondary = No se leyó el texto de esta regla, sino uno que la cita: compruebe la edición vigente antes de fiarse de un veredicto.
+diagnostic-model-differs = El modelo da otro valor que el procedimiento de la regla, con una diferencia mayor que las incertidumbres de ambos; el veredicto sigue el procedimiento.
+diagnostic-drops-that-decide = { $drops } ensayos con esta media y esta dispersión decidirían.
+diagnostic-no-drops-decide = Más ensayos no decidirían: lo que comparten todos, como la altura de caída y el tiempo de contacto, es demasiado incierto.
 diagnostic-rule-needs-height = La regla no indica altura, y la altura de caída no se indicó.
-diagnostic-rule-temperature = { $temperature_k } °C está fuera del intervalo de temperatura de la regla.
-diagnostic-rule-altitude = { $altitude_m } sobre el nivel del mar está fuera del intervalo de altitud de la regla.
-diagnostic-drop-without-rebound = El ensayo { $drop } no determina su altura de rebote: { $reason }
 diagnostic-limit-within-uncertainty = Un límite está dentro de la incertidumbre; ayudarían más ensayos, o mejores.
-diagnostic-rule-unverified = Esta regla no está verificada: no se cotejó con su fuente; no se fíe de ella.
-diagnostic-formula-unverified = La fórmula de esta regla no está verificada: no se cotejó con su fuente.
+diagnostic-rule-unverified = Esta regla se escribió de memoria; no se fíe de ella.
+diagnostic-formula-unverified = No se leyó el texto de la fórmula de esta regla ({ $read }).
 diagnostic-rule-other-ball = La regla es para una pelota del tipo { $ball }, y la pelota indicada tiene otra masa u otro diámetro: ¿es la regla correcta?
 diagnostic-rule-without-point = La regla no indica en qué punto de la pelota mide; se toma el más bajo.
-diagnostic-temperature-not-stated = La regla vale { $least_k ->
-    [none] hasta { $greatest_k } °C
-   *[other] { $greatest_k ->
-        [none] desde { $least_k } °C
-       *[other] de { $least_k } a { $greatest_k } °C
-      }
-  }, y la temperatura no se indicó.
-diagnostic-altitude-not-stated = La regla vale { $least_m ->
-    [none] hasta { $greatest_m } sobre el nivel del mar
-   *[other] { $greatest_m ->
-        [none] desde { $least_m } sobre el nivel del mar
-       *[other] de { $least_m } a { $greatest_m } sobre el nivel del mar
-      }
-  }, y la altitud no se indicó.
-diagnostic-rule-other-height = La pelota cayó { $dropped_m }, y la regla exige { $rule_m }: el rebote se predice para la altura de la regla.
-diagnostic-rule-extrapolated = El impacto de la regla es un { $factor } % más rápido que todos los detectados: su rebote depende de la restitución extrapolada.
 diagnostic-verdict-of-few-drops = { $drops ->
     [one] El veredicto es de este único ensayo: no muestra la dispersión entre ensayos; tres o más lo harían.
    *[other] Dos ensayos apenas muestran la dispersión entre ensayos, así que su media es incierta; un tercero ayudaría mucho.

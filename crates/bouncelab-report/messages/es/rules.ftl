@@ -17,6 +17,8 @@ rule-title-table-tennis-table = Mesa de tenis de mesa
 rule-title-tennis-ball-types-1-to-3 = Pelota de tenis, tipos 1 a 3
 rule-title-tennis-ball-for-high-altitude = Pelota de tenis para gran altitud
 rule-title-padel-ball = Pelota de pádel
+rule-title-padel-ball-for-high-altitude = Pelota de pádel para gran altitud
+rule-title-tennis-ball-type-1-by-another-source = Pelota de tenis, tipo 1, según otra fuente
 
 rule-surface-granite-plate = placa de granito
 rule-surface-the-court = la pista
@@ -29,9 +31,13 @@ rule-surface-steel-block = bloque de acero
 rule-surface-approved-table = mesa homologada
 rule-surface-the-table = la mesa
 rule-surface-smooth-granite = granito liso
+rule-surface-a-hard-surface = una superficie dura
 
 rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = ambas alturas se toman como las de la parte superior de la pelota
-rule-note-the-itf-recommends-these-values-it-does-not-demand-them-one-recording-for-each-place = la ITF recomienda estos valores, no los exige; una grabación por cada lugar
-rule-note-one-recording-for-each-point-of-the-floor = una grabación por cada punto del suelo
+rule-note-the-itf-recommends-these-values-it-does-not-demand-them = la ITF recomienda estos valores, no los exige
 rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = un método para cualquier pelota y altura; da el porcentaje y no fija ningún límite
 rule-note-the-law-says-about-23-cm-and-not-how-near = la regla dice unos 23 cm, y no con qué aproximación
+rule-note-texts-that-cite-the-booklet-of-the-itf-give-138-to-151-cm-for-type-1-see-itf-tennis-type-1 = textos que citan el folleto de la ITF dan de 138 a 151 cm para el tipo 1: véase itf-tennis-type-1
+rule-note-copies-of-the-rules-of-tennis-give-135-to-147-cm-for-types-1-to-3-see-itf-tennis = copias de las reglas de tenis dan de 135 a 147 cm para los tipos 1 a 3: véase itf-tennis
+rule-conditioning-24-hours-in-a-controlled-environment-pre-compressed-on-three-axes-tested-within-two-hours = 24 horas en ambiente controlado, precompresión en tres ejes, ensayo en dos horas
+rule-conditioning-balls-pressurised-at-21-to-25-c-pre-compressed-three-times-on-three-diameters = pelotas presurizadas a 21 a 25 °C, tres precompresiones en tres diámetros

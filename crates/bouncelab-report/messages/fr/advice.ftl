@@ -3,10 +3,7 @@ terminal-advice-scatter-exceeds-prior = Indiquez la dispersion de cette surface 
 terminal-advice-contact-overlaps = Les options sont --exclude, --ball et --contact-time.
 terminal-advice-restitution-undetermined = L’option est --height.
 terminal-advice-ball-floats = L’option est --no-buoyancy.
-terminal-advice-rule-needs-reference = Donnez-les après --reference.
 terminal-advice-rule-needs-height = Indiquez-la avec --height.
-terminal-advice-temperature-not-stated = Indiquez-la avec --temperature.
-terminal-advice-altitude-not-stated = Indiquez-la avec --altitude.
 terminal-advice-no-channel = Choisissez-en une autre avec --channel.
 terminal-advice-too-many-channels = L’option est --channel.
 

@@ -104,7 +104,6 @@ diagnostic-missed-in-a-row = { $missed } impacts de suite ont été manqués apr
 diagnostic-flight-too-long = Le vol après l’impact { $after } dure { $duration_s }, ce que la traînée de l’air rend impossible pour cette balle. Ajoutez un impact manqué à cet endroit, ou vérifiez la masse, le diamètre et l’unité des temps.
 diagnostic-gains-speed = La balle gagnerait de la vitesse à la plupart des impacts, ce qui est impossible sur une surface au repos ; les temps sont-ils dans l’ordre, en secondes, et d’un seul essai ?
 diagnostic-variances-confounded = Les variances de ces groupes ne peuvent pas être séparées.
-diagnostic-height-out-of-reach = La hauteur de la règle est très supérieure aux hauteurs de chute détectées.
 
 diagnostic-out-of-range = { $quantity } : { $value }{ $unit ->
     [none] {""}
@@ -173,36 +172,19 @@ diagnostic-prior-height-flat = Hauteur de chute : uniforme en logarithme.
 diagnostic-prior-release = Lâcher : mesuré, { $release_s } s ± { $sd_s }.
 diagnostic-prior-missed = Chaque impact de plus manqué au début : deux fois moins probable ; là où c’était silencieux, presque impossible. Dans une liste de temps, rien ne montre si des impacts ont été manqués.
 
-diagnostic-rule-needs-drops = La règle demande { $needed } essais, et il y en a { $given }.
-diagnostic-rule-needs-reference-drops = La règle demande { $needed } essais sur la référence, et il y en a { $given }.
-diagnostic-rule-needs-reference = La règle compare à une surface de référence : il faut des enregistrements de la même balle sur cette surface.
-diagnostic-rule-needs-places = La règle compare des emplacements, et il n’y en a qu’un : il faut un enregistrement par emplacement.
 diagnostic-rule-without-limits = La règle n’indique pas de limites.
+diagnostic-procedure-not-kept = La procédure de la règle n’a pas été suivie : { $item }.
+diagnostic-drop-without-first-flight = Le premier vol de l’essai { $drop } n’a pas été détecté : la règle demande le rebond du premier impact.
+diagnostic-rule-secondary = Le texte de cette règle n’a pas été lu, mais un texte qui la cite : vérifiez l’édition en vigueur avant de vous fier à un verdict.
+diagnostic-model-differs = Le modèle donne une autre valeur que la procédure de la règle, l’écart dépassant les incertitudes des deux ; le verdict suit la procédure.
+diagnostic-drops-that-decide = { $drops } essais avec cette moyenne et cette dispersion décideraient.
+diagnostic-no-drops-decide = Plus d’essais ne décideraient pas : ce qu’ils ont en commun, comme la hauteur de chute et la durée de contact, est trop incertain.
 diagnostic-rule-needs-height = La règle n’indique pas de hauteur, et la hauteur de chute n’a pas été indiquée.
-diagnostic-rule-temperature = { $temperature_k } °C est hors du domaine de température de la règle.
-diagnostic-rule-altitude = { $altitude_m } au-dessus du niveau de la mer est hors du domaine d’altitude de la règle.
-diagnostic-drop-without-rebound = L’essai { $drop } ne détermine pas sa hauteur de rebond : { $reason }
 diagnostic-limit-within-uncertainty = Une limite est à l’intérieur de l’incertitude ; des essais plus nombreux ou meilleurs aideraient.
-diagnostic-rule-unverified = Cette règle n’est pas vérifiée : elle n’a pas été comparée à sa source ; ne vous y fiez pas.
-diagnostic-formula-unverified = La formule de cette règle n’est pas vérifiée : elle n’a pas été comparée à sa source.
+diagnostic-rule-unverified = Cette règle a été écrite de mémoire ; ne vous y fiez pas.
+diagnostic-formula-unverified = Le texte de la formule de cette règle n’a pas été lu ({ $read }).
 diagnostic-rule-other-ball = La règle vaut pour une balle du type { $ball }, et la balle indiquée a une autre masse ou un autre diamètre : est-ce la bonne règle ?
 diagnostic-rule-without-point = La règle n’indique pas en quel point de la balle elle mesure ; c’est le plus bas qui est pris.
-diagnostic-temperature-not-stated = La règle vaut { $least_k ->
-    [none] jusqu’à { $greatest_k } °C
-   *[other] { $greatest_k ->
-        [none] à partir de { $least_k } °C
-       *[other] de { $least_k } à { $greatest_k } °C
-      }
-  }, et la température n’a pas été indiquée.
-diagnostic-altitude-not-stated = La règle vaut { $least_m ->
-    [none] jusqu’à { $greatest_m } au-dessus du niveau de la mer
-   *[other] { $greatest_m ->
-        [none] à partir de { $least_m } au-dessus du niveau de la mer
-       *[other] de { $least_m } à { $greatest_m } au-dessus du niveau de la mer
-      }
-  }, et l’altitude n’a pas été indiquée.
-diagnostic-rule-other-height = La balle est tombée de { $dropped_m }, et la règle demande { $rule_m } : le rebond est prédit pour la hauteur de la règle.
-diagnostic-rule-extrapolated = L’impact de la règle est plus rapide de { $factor } % que tout impact détecté : son rebond dépend de la restitution extrapolée.
 diagnostic-verdict-of-few-drops = { $drops ->
     [one] Le verdict porte sur ce seul essai : il ne montre pas la dispersion entre essais ; trois ou plus le feraient.
    *[other] Deux essais ne montrent guère la dispersion entre essais : leur moyenne est incertaine ; un troisième aiderait beaucoup.

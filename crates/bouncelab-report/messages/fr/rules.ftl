@@ -17,6 +17,8 @@ rule-title-table-tennis-table = Table de tennis de table
 rule-title-tennis-ball-types-1-to-3 = Balle de tennis, types 1 à 3
 rule-title-tennis-ball-for-high-altitude = Balle de tennis pour haute altitude
 rule-title-padel-ball = Balle de padel
+rule-title-padel-ball-for-high-altitude = Balle de padel pour haute altitude
+rule-title-tennis-ball-type-1-by-another-source = Balle de tennis, type 1, d’après une autre source
 
 rule-surface-granite-plate = plaque de granit
 rule-surface-the-court = le court
@@ -29,9 +31,13 @@ rule-surface-steel-block = bloc d’acier
 rule-surface-approved-table = table homologuée
 rule-surface-the-table = la table
 rule-surface-smooth-granite = granit lisse
+rule-surface-a-hard-surface = une surface dure
 
 rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = les deux hauteurs sont prises comme celles du haut de la balle
-rule-note-the-itf-recommends-these-values-it-does-not-demand-them-one-recording-for-each-place = l’ITF recommande ces valeurs, elle ne les exige pas ; un enregistrement par emplacement
-rule-note-one-recording-for-each-point-of-the-floor = un enregistrement par point du sol
+rule-note-the-itf-recommends-these-values-it-does-not-demand-them = l’ITF recommande ces valeurs, elle ne les exige pas
 rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = une méthode pour toute balle et toute hauteur ; elle donne le pourcentage et ne fixe aucune limite
 rule-note-the-law-says-about-23-cm-and-not-how-near = la règle dit environ 23 cm, sans dire à combien près
+rule-note-texts-that-cite-the-booklet-of-the-itf-give-138-to-151-cm-for-type-1-see-itf-tennis-type-1 = des textes qui citent la brochure de l’ITF donnent 138 à 151 cm pour le type 1 : voir itf-tennis-type-1
+rule-note-copies-of-the-rules-of-tennis-give-135-to-147-cm-for-types-1-to-3-see-itf-tennis = des copies des règles du tennis donnent 135 à 147 cm pour les types 1 à 3 : voir itf-tennis
+rule-conditioning-24-hours-in-a-controlled-environment-pre-compressed-on-three-axes-tested-within-two-hours = 24 heures en ambiance contrôlée, précompression sur trois axes, essai dans les deux heures
+rule-conditioning-balls-pressurised-at-21-to-25-c-pre-compressed-three-times-on-three-diameters = balles sous pression à 21 à 25 °C, trois précompressions sur trois diamètres

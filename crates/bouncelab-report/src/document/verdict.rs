@@ -1,7 +1,7 @@
-//! A verdict as data: the schema `bouncelab.verdict/3`.
+//! A verdict as data: the schema `bouncelab.verdict/4`.
 
 use bouncelab::rulebook::{
-    self, Decision, InconclusiveReason, Limits, Outcome, Remark, Requirement, Rule,
+    self, Decision, InconclusiveReason, Limits, MeanRebound, Remark, Requirement, Rule,
 };
 use bouncelab::settings::Setup;
 use bouncelab::{Diagnostic, Estimate};
@@ -11,7 +11,7 @@ use super::SettingsUsed;
 use crate::messages::Translator;
 
 /// Name and version of the schema.
-pub const SCHEMA: &str = "bouncelab.verdict/3";
+pub const SCHEMA: &str = "bouncelab.verdict/4";
 
 /// The conformity of drops with a rule.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -31,10 +31,15 @@ pub struct VerdictDocument {
     reference_rebound_m: Option<Estimate>,
     share_of_reference: Option<Estimate>,
     unevenness: Option<Estimate>,
+    /// What the model answers, m or a share.
+    model: Option<Estimate>,
     accepted: Option<Ends>,
-    /// Means over the drops, by simpler formulas.
+    /// Mean over the drops of g T²/8.
     drag_free_m: Option<f64>,
-    formula_m: Option<f64>,
+    /// The sources of the uncertainty of `rebound_m` and of `reference_rebound_m`.
+    budget: Vec<Component>,
+    reference_budget: Vec<Component>,
+    procedure: Vec<Check>,
     drops: Vec<Drop>,
     reference_drops: Vec<Drop>,
     reasons: Vec<Diagnostic>,
@@ -45,9 +50,7 @@ pub struct VerdictDocument {
 struct RuleUsed {
     name: String,
     title: String,
-    source: String,
-    edition: Option<String>,
-    status: String,
+    source: SourceUsed,
     surface: Option<String>,
     reference: Option<String>,
     drop_height_m: Option<f64>,
@@ -56,6 +59,45 @@ struct RuleUsed {
     about_m: Option<f64>,
     share_of_reference: Option<Ends>,
     fewest_drops: usize,
+    fewest_places: usize,
+    conditioning: Option<String>,
+    formula: Option<FormulaUsed>,
+    rounding: Option<f64>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct SourceUsed {
+    publisher: String,
+    document: Option<String>,
+    edition: Option<String>,
+    clause: Option<String>,
+    address: Option<String>,
+    checked: Option<String>,
+    read: String,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize)]
+struct FormulaUsed {
+    factor_m_s2: f64,
+    offset_s: f64,
+    read: String,
+}
+
+/// A source of uncertainty; `degrees_of_freedom` is `null` where there is no end of them.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+struct Component {
+    cause: &'static str,
+    correction_m: f64,
+    sd_m: f64,
+    degrees_of_freedom: Option<f64>,
+}
+
+/// A part of the procedure; `found` is in SI units.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+struct Check {
+    item: &'static str,
+    state: &'static str,
+    found: Option<f64>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -74,17 +116,11 @@ struct DecisionUsed {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 struct Drop {
     recording: String,
-    predicted_m: Option<Estimate>,
     first_flight_s: Option<f64>,
+    height_m: Option<f64>,
+    times_sd_m: f64,
     drag_free_m: Option<f64>,
-    formula_m: Option<f64>,
-    steps: Vec<Step>,
-}
-
-#[derive(Clone, Debug, PartialEq, Serialize)]
-struct Step {
-    why: String,
-    height_m: f64,
+    predicted_m: Option<Estimate>,
 }
 
 /// A verdict and all that it rests on.
@@ -127,20 +163,19 @@ impl VerdictDocument {
                 },
                 risk: decision.risk(),
             },
-            outcome: match verdict.outcome {
-                Outcome::Pass => "pass",
-                Outcome::Fail => "fail",
-                Outcome::CannotDecide => "cannot-decide",
-            },
+            outcome: verdict.outcome.name(),
             probability_within: verdict.within,
             probability_wrong_accept: verdict.wrong_accept(),
-            rebound_m: verdict.rebound,
-            reference_rebound_m: verdict.reference,
+            rebound_m: verdict.rebound.as_ref().map(|mean| mean.height_m),
+            reference_rebound_m: verdict.reference.as_ref().map(|mean| mean.height_m),
             share_of_reference: verdict.share,
             unevenness: verdict.unevenness,
             accepted: verdict.accepted.map(Ends::from),
             drag_free_m: verdict.drag_free_m(),
-            formula_m: verdict.formula_m(),
+            model: verdict.model,
+            budget: budget(verdict.rebound.as_ref()),
+            reference_budget: budget(verdict.reference.as_ref()),
+            procedure: verdict.procedure.iter().map(Check::from).collect(),
             drops: drops(&verdict.drops, files),
             reference_drops: drops(&verdict.reference_drops, reference_files),
             reasons: verdict
@@ -158,24 +193,36 @@ impl VerdictDocument {
 }
 
 fn drops(rebounds: &[rulebook::Rebound], files: &[String]) -> Vec<Drop> {
-    rebounds
-        .iter()
-        .map(|rebound| Drop {
-            recording: files.get(rebound.place).cloned().unwrap_or_default(),
-            predicted_m: rebound.predicted_m,
-            first_flight_s: rebound.first_flight_s,
-            drag_free_m: rebound.drag_free_m,
-            formula_m: rebound.formula_m,
-            steps: rebound
-                .steps
-                .iter()
-                .map(|step| Step {
-                    why: step.why.to_string(),
-                    height_m: step.height_m,
-                })
-                .collect(),
-        })
-        .collect()
+    let drops = rebounds.iter().map(|rebound| Drop {
+        recording: files.get(rebound.place).cloned().unwrap_or_default(),
+        first_flight_s: rebound.first_flight_s,
+        height_m: rebound.height_m,
+        times_sd_m: rebound.times_sd_m,
+        drag_free_m: rebound.drag_free_m,
+        predicted_m: rebound.predicted_m,
+    });
+    drops.collect()
+}
+
+fn budget(mean: Option<&MeanRebound>) -> Vec<Component> {
+    let budget = mean.into_iter().flat_map(|mean| &mean.budget);
+    let components = budget.map(|part| Component {
+        cause: part.cause.name(),
+        correction_m: part.correction_m,
+        sd_m: part.sd_m,
+        degrees_of_freedom: Some(part.degrees_of_freedom).filter(|degrees| degrees.is_finite()),
+    });
+    components.collect()
+}
+
+impl From<&rulebook::Check> for Check {
+    fn from(check: &rulebook::Check) -> Self {
+        Self {
+            item: check.item.name(),
+            state: check.kept.name(),
+            found: check.found,
+        }
+    }
 }
 
 impl From<Limits> for Ends {
@@ -201,9 +248,7 @@ impl From<&Rule> for RuleUsed {
         Self {
             name: rule.name.clone(),
             title: rule.title.clone(),
-            source: rule.source.clone(),
-            edition: rule.edition.clone(),
-            status: rule.status.to_string(),
+            source: SourceUsed::from(&rule.source),
             surface: rule.surface.clone(),
             reference,
             drop_height_m: rule.drop_height_m,
@@ -212,6 +257,37 @@ impl From<&Rule> for RuleUsed {
             about_m,
             share_of_reference: share,
             fewest_drops: rule.fewest_drops,
+            fewest_places: rule.places(),
+            conditioning: rule.conditioning.clone(),
+            formula: rule.formula.map(|formula| FormulaUsed {
+                factor_m_s2: formula.factor_m_s2,
+                offset_s: formula.offset_s,
+                read: formula.read.to_string(),
+            }),
+            rounding: rule.rounding,
+        }
+    }
+}
+
+impl From<&rulebook::Source> for SourceUsed {
+    fn from(source: &rulebook::Source) -> Self {
+        let rulebook::Source {
+            publisher,
+            document,
+            edition,
+            clause,
+            address,
+            checked,
+            read,
+        } = source.clone();
+        Self {
+            publisher,
+            document,
+            edition,
+            clause,
+            address,
+            checked,
+            read: read.to_string(),
         }
     }
 }

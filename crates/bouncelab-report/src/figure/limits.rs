@@ -1,7 +1,7 @@
 //! Values with their intervals, and the limits of a rule.
 
 use bouncelab::Estimate;
-use bouncelab::rulebook::{Limits, Rebound, Requirement, Rule, Verdict};
+use bouncelab::rulebook::{Limits, Rebound, Rule, Verdict};
 
 use crate::chart::{Axis, Chart, Layer, Marker, Panel, Scale, row_middle, xs};
 use crate::messages::Translator;
@@ -117,12 +117,11 @@ fn shade(
 pub fn verdict(rule: &Rule, verdict: &Verdict, files: &[String], translator: &Translator) -> Chart {
     /// Metres to centimetres, shares to percent.
     const SHOWN: f64 = 100.0;
-    let (wanted, decides, (quantity, unit)) = match &rule.requirement {
-        Requirement::Height(limits) => (*limits, verdict.rebound, ("axis-rebound", "cm")),
-        Requirement::About(_) => (Limits::default(), verdict.rebound, ("axis-rebound", "cm")),
-        Requirement::Share { limits, .. } => {
-            (*limits, verdict.share, ("axis-share-of-reference", "%"))
-        }
+    let decides = verdict.value();
+    let (wanted, quantity, unit) = if rule.needs_reference() {
+        (rule.limits(), "axis-share-of-reference", "%")
+    } else {
+        (rule.limits(), "axis-rebound", "cm")
     };
     let scaled = |limits: Limits| [limits.least, limits.greatest].map(|end| Some(end? * SHOWN));
     let evaluated = |name: String, estimate: &Estimate, decides: bool| EvaluatedValue {
@@ -131,16 +130,27 @@ pub fn verdict(rule: &Rule, verdict: &Verdict, files: &[String], translator: &Tr
         interval95: Some(estimate.interval95.map(|end| end * SHOWN)),
         decides,
     };
-    let mut rows: Vec<EvaluatedValue> = decides
+    let named = [
+        ("verdict-all-drops", decides, true),
+        ("verdict-model", verdict.model, false),
+    ];
+    let mut rows: Vec<EvaluatedValue> = named
         .iter()
-        .map(|estimate| evaluated(translator.text("verdict-all-drops"), estimate, true))
+        .filter_map(|(id, estimate, decides)| {
+            Some(evaluated(translator.text(id), estimate.as_ref()?, *decides))
+        })
         .collect();
-    if verdict.share.is_none() {
+    if !rule.needs_reference() {
         let name = |drop: &Rebound| files.get(drop.place).cloned().unwrap_or_default();
         let drops = verdict.drops.iter();
-        rows.extend(
-            drops.filter_map(|drop| Some(evaluated(name(drop), drop.predicted_m.as_ref()?, false))),
-        );
+        rows.extend(drops.filter_map(|drop| {
+            Some(EvaluatedValue {
+                name: name(drop),
+                value: drop.height_m? * SHOWN,
+                interval95: None,
+                decides: false,
+            })
+        }));
     }
     let accepted = verdict.accepted.map_or([None; 2], scaled);
     limits(

@@ -1,17 +1,16 @@
 //! Rules as files: those built in and those of users.
 //!
-//! The format is TOML, `bouncelab.rules/1`; docs/rulebooks.md describes it.
+//! The format is TOML, `bouncelab.rules/2`; docs/rulebooks.md describes it.
 //!
 //! ```
 //! use bouncelab_report::rules;
 //!
 //! let own = r#"
-//!     schema = "bouncelab.rules/1"
+//!     schema = "bouncelab.rules/2"
 //!     [[rule]]
 //!     name = "our-hall"
 //!     title = "Basketball in our hall"
-//!     source = "the school"
-//!     status = "verified"
+//!     source = { publisher = "the school", read = "primary" }
 //!     drop = { height = "1.8m" }
 //!     rebound = { least = "1m", most = "1.1m" }
 //! "#;
@@ -29,7 +28,9 @@ use std::ops::Range;
 use std::path::PathBuf;
 
 use bouncelab::Plain;
-use bouncelab::rulebook::{Averaging, Evenness, Formula, Limits, Point, Requirement, Rule, Status};
+use bouncelab::rulebook::{
+    Averaging, Evenness, Formula, Limits, Point, Reading, Requirement, Rule, Source,
+};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error as _};
 use toml::Spanned;
@@ -38,7 +39,7 @@ use crate::error::{Error, Result};
 use crate::units;
 
 /// Name and version of the format.
-pub const SCHEMA: &str = "bouncelab.rules/1";
+pub const SCHEMA: &str = "bouncelab.rules/2";
 
 /// No file of TOML is longer: in memory it takes many times as much.
 pub const MAX_MB: u64 = 2;
@@ -54,6 +55,9 @@ const BUILT_IN: [(&str, &str); 5] = [
     ("courts.toml", include_str!("../../rules/courts.toml")),
     ("floors.toml", include_str!("../../rules/floors.toml")),
 ];
+
+/// A file with one rule to fill in.
+pub const TEMPLATE: &str = include_str!("../../rules/template.toml");
 
 /// The rules that come with bouncelab.
 ///
@@ -156,9 +160,7 @@ struct Book {
 struct Entry {
     name: String,
     title: String,
-    source: String,
-    edition: Option<String>,
-    status: StatusWritten,
+    source: SourceWritten,
     note: Option<String>,
     ball: Option<String>,
     surface: Option<String>,
@@ -168,17 +170,42 @@ struct Entry {
     share: Option<ShareWritten>,
     even: Option<EvenWritten>,
     drops: Option<usize>,
+    places: Option<usize>,
     averaged: Option<AveragedWritten>,
+    conditioning: Option<String>,
     temperature: Option<Between<Temperature>>,
+    humidity: Option<Between<Share>>,
     altitude: Option<Between<Length>>,
     formula: Option<FormulaWritten>,
+    rounded: Option<RoundedWritten>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SourceWritten {
+    publisher: String,
+    document: Option<String>,
+    edition: Option<String>,
+    clause: Option<String>,
+    address: Option<String>,
+    checked: Option<String>,
+    read: ReadingWritten,
+}
+
+/// A length of a rule of heights, a share of one that compares.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RoundedWritten {
+    height: Option<Length>,
+    share: Option<Share>,
 }
 
 #[derive(Deserialize, Clone, Copy)]
 #[serde(rename_all = "lowercase")]
-enum StatusWritten {
-    Verified,
-    Unverified,
+enum ReadingWritten {
+    Primary,
+    Secondary,
+    Memory,
 }
 
 #[derive(Deserialize, Clone, Copy)]
@@ -240,7 +267,7 @@ struct Between<T> {
 struct FormulaWritten {
     factor: f64,
     offset: Time,
-    status: StatusWritten,
+    read: ReadingWritten,
 }
 
 /// A quantity written with its unit.
@@ -265,11 +292,26 @@ written! {
     Temperature by units::temperature,
 }
 
-impl From<StatusWritten> for Status {
-    fn from(written: StatusWritten) -> Self {
+impl From<ReadingWritten> for Reading {
+    fn from(written: ReadingWritten) -> Self {
         match written {
-            StatusWritten::Verified => Self::Verified,
-            StatusWritten::Unverified => Self::Unverified,
+            ReadingWritten::Primary => Self::Primary,
+            ReadingWritten::Secondary => Self::Secondary,
+            ReadingWritten::Memory => Self::Memory,
+        }
+    }
+}
+
+impl SourceWritten {
+    fn source(self, plain: impl Fn(String) -> String) -> Source {
+        Source {
+            publisher: plain(self.publisher),
+            document: self.document.map(&plain),
+            edition: self.edition.map(&plain),
+            clause: self.clause.map(&plain),
+            address: self.address.map(&plain),
+            checked: self.checked.map(&plain),
+            read: self.read.into(),
         }
     }
 }
@@ -291,9 +333,8 @@ impl Entry {
         Ok(Rule {
             requirement: self.requirement(plain)?,
             evenness: self.evenness()?,
-            source: plain(self.source),
-            edition: self.edition.map(plain),
-            status: self.status.into(),
+            rounding: self.rounding()?,
+            source: self.source.source(plain),
             note: self.note.map(plain),
             ball: self.ball.map(plain),
             surface: self.surface.map(plain),
@@ -305,6 +346,9 @@ impl Entry {
                 PointWritten::Top => Point::Top,
             }),
             fewest_drops: self.drops.unwrap_or(1),
+            fewest_places: self.places.unwrap_or(1),
+            conditioning: self.conditioning.map(plain),
+            humidity: limits(self.humidity, |share| share.0),
             averaging: match self.averaged {
                 Some(AveragedWritten::Each) => Averaging::Each,
                 _ => Averaging::Mean,
@@ -314,7 +358,7 @@ impl Entry {
             formula: self.formula.map(|formula| Formula {
                 factor_m_s2: formula.factor,
                 offset_s: formula.offset.0,
-                status: formula.status.into(),
+                read: formula.read.into(),
             }),
             drop_height_m: self.drop.height.map(|length| length.0),
             name: self.name,
@@ -345,6 +389,29 @@ impl Entry {
                 of: plain(share.of.clone()),
             }),
             _ => Err(EITHER.to_owned()),
+        }
+    }
+
+    fn rounding(&self) -> std::result::Result<Option<f64>, String> {
+        match (&self.rounded, &self.share) {
+            (None, _) => Ok(None),
+            (
+                Some(RoundedWritten {
+                    height: Some(step),
+                    share: None,
+                }),
+                None,
+            ) => Ok(Some(step.0)),
+            (
+                Some(RoundedWritten {
+                    height: None,
+                    share: Some(step),
+                }),
+                Some(_),
+            ) => Ok(Some(step.0)),
+            _ => Err(
+                "a rule of heights rounds a height, one that compares rounds a share".to_owned(),
+            ),
         }
     }
 
@@ -382,12 +449,12 @@ mod tests {
         format!("schema = \"{SCHEMA}\"\n[[rule]]\n{rule}")
     }
 
-    const COMMON: &str = "name = \"a\"\ntitle = \"A\"\nsource = \"us\"\nstatus = \"verified\"\n";
+    const COMMON: &str = "name = \"a\"\ntitle = \"A\"\n\n\
+        source = { publisher = \"us\", read = \"primary\" }\n";
 
     #[test]
     fn the_built_in_rules_are_read_and_their_balls_exist() {
         let rules = built_in().unwrap();
-        assert_eq!(rules.len(), 17);
         for rule in &rules {
             rule.check().unwrap();
             let same = rules.iter().filter(|other| other.name == rule.name);
@@ -399,6 +466,13 @@ mod tests {
     }
 
     /// The numbers of the rules for a racquetball: 100 in to 68 to 72 in, at 70 to 74 F.
+    #[test]
+    fn the_template_is_a_rule() {
+        let rules = read(TEMPLATE, "template.toml").unwrap();
+        assert_eq!(rules.len(), 1);
+        assert!(rules[0].conditioning.is_some() && rules[0].rounding == Some(0.001));
+    }
+
     #[test]
     fn units_become_si() {
         let rules = built_in().unwrap();
@@ -413,7 +487,7 @@ mod tests {
 
     #[test]
     fn what_is_wrong_is_said_with_line_and_column() {
-        let no_toml = refused("schema = \"bouncelab.rules/1\"\n[[rule]\n");
+        let no_toml = refused("schema = \"bouncelab.rules/2\"\n[[rule]\n");
         assert!(
             no_toml.starts_with("own.toml, line 2, column "),
             "{no_toml}"

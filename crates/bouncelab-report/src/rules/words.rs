@@ -1,6 +1,6 @@
 //! Rules in sentences.
 
-use bouncelab::rulebook::{Averaging, Evenness, Limits, Point, Requirement, Rule, Status};
+use bouncelab::rulebook::{Averaging, Evenness, Item, Limits, Point, Reading, Requirement, Rule};
 
 use crate::messages::Translator;
 
@@ -23,15 +23,19 @@ pub fn note(rule: &Rule, translator: &Translator) -> Option<String> {
 
 /// Everything that a rule states.
 pub fn facts(rule: &Rule, translator: &Translator) -> Vec<(String, String)> {
-    let edition = rule.edition.clone();
     let mut facts = vec![
-        ("rule-source", rule.source.clone()),
-        (
-            "rule-edition",
-            edition.unwrap_or_else(|| translator.text("rule-not-noted")),
-        ),
-        ("rule-status", status(rule.status, translator)),
+        ("rule-source", rule.source.citation()),
+        ("rule-status", read(rule.source.read, translator)),
     ];
+    let noted = [
+        ("rule-address", &rule.source.address),
+        ("rule-checked", &rule.source.checked),
+    ];
+    facts.extend(
+        noted
+            .into_iter()
+            .filter_map(|(id, noted)| Some((id, noted.clone()?))),
+    );
     facts.extend(rule.ball.clone().map(|ball| ("rule-ball", ball)));
     let surface = rule
         .surface
@@ -51,23 +55,35 @@ pub fn facts(rule: &Rule, translator: &Translator) -> Vec<(String, String)> {
     };
     let count = [("count", rule.fewest_drops.into())];
     facts.push(("rule-drops", translator.text_with(averaged, &count)));
-    facts.extend(even(rule, translator).map(|even| ("rule-places", even)));
-    if !rule.temperature_k.is_open() {
-        let celsius = rule.temperature_k.raised(-273.15);
-        let shown = |end: f64| format!("{} °C", translator.fixed(end, 1));
-        facts.push(("rule-temperature", ends(&celsius, shown, translator)));
+    if rule.compares_places() {
+        let least = at_least(rule.places(), translator);
+        let places = [Some(least), even(rule, translator)].into_iter().flatten();
+        facts.push(("rule-places", translator.in_one_line(places)));
     }
-    if !rule.altitude_m.is_open() {
-        facts.push((
-            "rule-altitude",
-            ends(&rule.altitude_m, |end| format!("{end} m"), translator),
-        ));
+    let circumstances = [
+        ("rule-conditioning", Item::Conditioning),
+        ("rule-temperature", Item::Temperature),
+        ("rule-humidity", Item::Humidity),
+        ("rule-altitude", Item::Altitude),
+    ];
+    let circumstances = circumstances
+        .into_iter()
+        .map(|(id, item)| (id, asked(rule, item, translator)));
+    facts.extend(circumstances.filter(|(_, asked)| !asked.is_empty()));
+    if let Some(step) = rule.rounding {
+        let share = rule.needs_reference();
+        let step = if share {
+            percent(step, translator)
+        } else {
+            length(step, translator)
+        };
+        facts.push(("rule-rounded", step));
     }
     if let Some(formula) = &rule.formula {
         let formula = [
             ("factor", formula.factor_m_s2.into()),
             ("offset", formula.offset_s.into()),
-            ("status", status(formula.status, translator).into()),
+            ("read", read(formula.read, translator).into()),
         ];
         facts.push((
             "rule-formula",
@@ -81,12 +97,56 @@ pub fn facts(rule: &Rule, translator: &Translator) -> Vec<(String, String)> {
         .collect()
 }
 
-/// Whether a rule has been read in its source.
-pub fn status(status: Status, translator: &Translator) -> String {
-    translator.text(match status {
-        Status::Verified => "rule-verified",
-        Status::Unverified => "rule-unverified",
-    })
+/// What was read of a rule.
+pub fn read(read: Reading, translator: &Translator) -> String {
+    translator.named("read", &read.to_string())
+}
+
+/// What a rule asks for in a part of its procedure; empty if it does not.
+pub fn asked(rule: &Rule, item: Item, translator: &Translator) -> String {
+    let celsius = |end: f64| format!("{} °C", translator.fixed(end - 273.15, 1));
+    let within = |limits: &Limits, shown: &dyn Fn(f64) -> String| {
+        if limits.is_open() {
+            String::new()
+        } else {
+            ends(limits, shown, translator)
+        }
+    };
+    match item {
+        Item::Release => drop(rule, translator),
+        Item::Surface => rule
+            .surface
+            .as_deref()
+            .map_or_else(String::new, |name| surface(name, translator)),
+        Item::Reference => match &rule.requirement {
+            Requirement::Share { of, .. } => surface(of, translator),
+            _ => String::new(),
+        },
+        Item::Temperature => within(&rule.temperature_k, &celsius),
+        Item::Humidity => within(&rule.humidity, &|end| percent(end, translator)),
+        Item::Altitude => within(&rule.altitude_m, &|end| format!("{end} m")),
+        Item::Conditioning => {
+            let conditioning = rule.conditioning.as_deref();
+            conditioning.map_or_else(String::new, |words| translator.named("conditioning", words))
+        }
+        Item::Places => at_least(rule.places(), translator),
+        _ => at_least(rule.fewest_drops, translator),
+    }
+}
+
+/// What was found of it, in the unit in which a rule asks.
+pub fn found(item: Item, found: f64, translator: &Translator) -> String {
+    match item {
+        Item::Release => length(found, translator),
+        Item::Temperature => format!("{} °C", translator.fixed(found - 273.15, 1)),
+        Item::Humidity => percent(found, translator),
+        Item::Altitude => format!("{found} m"),
+        _ => shown(found, translator),
+    }
+}
+
+fn at_least(count: usize, translator: &Translator) -> String {
+    translator.text_with("rule-places-least", &[("count", count.into())])
 }
 
 /// A point of the ball.

@@ -82,6 +82,7 @@ quantities! {
     Modes = "number-of-modes", "";
     Peak = "peak", "";
     PhaseScatter = "phase-scatter", "rad";
+    Places = "number-of-places", "";
     Rebound = "rebound", "m";
     ReferenceShare = "reference-share", "";
     ReferenceSpeed = "reference-speed", "m/s";
@@ -95,6 +96,7 @@ quantities! {
     ReverberationTime = "reverberation-time", "s";
     Reynolds = "reynolds-number", "";
     Risk = "risk", "";
+    Rounding = "rounding", "";
     SampleRate = "sample-rate", "Hz";
     Samples = "number-of-samples", "";
     SlowLossExponent = "slow-loss-exponent", "";

@@ -1,13 +1,14 @@
 //! Conformity of a ball or a floor with a rule, and its probability.
 //!
-//! A rule says from which height a ball is dropped and how high it must rebound, or how high compared
-//! with a reference surface. What counts is the **rebound**: the apex after the first impact of a drop
-//! from the rule's height. It is predicted from everything that the drops said ([`crate::inference`]),
-//! so that drops from other heights tell too, and with its uncertainty.
+//! A rule states its procedure: from which height a ball is dropped, how often, in how many places, under which conditions,
+//! by which formula the height of the first rebound follows, and how high it must be, or how high compared with a reference
+//! surface. A verdict is computed so, with the uncertainty of the result; what the model ([`crate::inference`]) answers
+//! stands beside it.
 //!
-//! A verdict is pass, fail or *cannot decide*, by a stated decision rule in the sense of JCGM 106:2012:
-//! with guarded acceptance, the default, a ball passes only if the probability that it is outside the
-//! limits all the same is at most the accepted risk.
+//! A verdict is *conforms*, *does not conform* or *cannot decide*, by a stated decision rule in the sense of JCGM 106:2012:
+//! with guarded acceptance, the default, a ball conforms only if the probability that it is outside the
+//! limits all the same is at most the accepted risk. It *conforms as far as shown* if parts of the procedure, as the
+//! temperature, are not shown.
 //!
 //! ```
 //! use bouncelab::{Options, analyze_times};
@@ -27,20 +28,24 @@
 //! let verdict = rulebook::judge(
 //!     &rule, &settings, &Conditions::default(), &[place], &[], Decision::default(),
 //! )?;
-//! assert_eq!(verdict.outcome, Outcome::Pass);
+//! // Nothing shows from which height the ball was dropped.
+//! assert_eq!(verdict.outcome, Outcome::ConformsAsFarAsShown);
 //! assert!(verdict.wrong_accept().unwrap() < 0.05);
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
+mod budget;
 mod inconclusive;
-mod pool;
+mod procedure;
 mod rebound;
 mod rule;
 mod verdict;
 
+pub use budget::{Cause, Component, MeanRebound};
 pub use inconclusive::{InconclusiveReason, Remark};
-pub use rebound::{Correction, Rebound, Step};
+pub use procedure::{Check, Conditions, Item, Kept};
+pub use rebound::Rebound;
 pub use rule::{
-    Averaging, Conditions, Evenness, Formula, Limits, Point, Requirement, Rule, Status, find,
+    Averaging, Evenness, Formula, Limits, Point, Reading, Requirement, Rule, Source, find,
 };
 pub use verdict::{Decision, Outcome, Place, Verdict, judge};

@@ -6,21 +6,69 @@ use std::ops::Bound::Excluded;
 
 use crate::error::{Error, Quantity, Result, positive, within};
 
-/// Whether somebody has read the rule where it comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Status {
-    /// It was read in its source or in a published copy.
-    Verified,
-    /// It was written down from memory; nothing should rest on it.
-    Unverified,
+/// What was read of a rule or of a formula.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Reading {
+    /// The text of its publisher: only such a rule is verified.
+    Primary,
+    /// A text that cites it, or a copy of it.
+    Secondary,
+    /// None: it was written from memory, and nothing should rest on it.
+    Memory,
 }
 
-impl fmt::Display for Status {
+impl fmt::Display for Reading {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Verified => "verified",
-            Self::Unverified => "unverified",
+            Self::Primary => "primary",
+            Self::Secondary => "secondary",
+            Self::Memory => "memory",
         })
+    }
+}
+
+/// Where a rule stands, and what was read of it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Source {
+    /// Who publishes it.
+    pub publisher: String,
+    /// The document.
+    pub document: Option<String>,
+    /// Its edition.
+    pub edition: Option<String>,
+    /// The clause in it.
+    pub clause: Option<String>,
+    /// Address of the text that was read.
+    pub address: Option<String>,
+    /// Date on which it was read, as in 2026-11-27.
+    pub checked: Option<String>,
+    /// What was read.
+    pub read: Reading,
+}
+
+impl Source {
+    /// A source of which only the publisher is known.
+    pub fn new(publisher: &str, read: Reading) -> Self {
+        Self {
+            publisher: publisher.to_owned(),
+            document: None,
+            edition: None,
+            clause: None,
+            address: None,
+            checked: None,
+            read,
+        }
+    }
+
+    /// Publisher, document, edition and clause.
+    pub fn citation(&self) -> String {
+        let parts = [&self.document, &self.edition, &self.clause];
+        let parts = parts.into_iter().flatten();
+        let parts: Vec<&str> = std::iter::once(&self.publisher)
+            .chain(parts)
+            .map(String::as_str)
+            .collect();
+        parts.join(", ")
     }
 }
 
@@ -109,6 +157,15 @@ impl Limits {
         self.least.is_none() && self.greatest.is_none()
     }
 
+    /// The limits of a value before it is rounded to a multiple of `step`: values that round to a limit are allowed.
+    #[must_use]
+    pub fn before_rounding(&self, step: f64) -> Self {
+        Self {
+            least: self.least.map(|end| end - step / 2.0),
+            greatest: self.greatest.map(|end| end + step / 2.0),
+        }
+    }
+
     /// The limits moved up.
     #[must_use]
     pub fn raised(&self, by: f64) -> Self {
@@ -154,6 +211,15 @@ pub enum Evenness {
     Range(f64),
 }
 
+impl Evenness {
+    /// The greatest unevenness.
+    pub const fn most(self) -> f64 {
+        match self {
+            Self::WithinOfMean(most) | Self::Range(most) => most,
+        }
+    }
+}
+
 /// Over what a rule averages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Averaging {
@@ -171,17 +237,17 @@ pub struct Formula {
     pub factor_m_s2: f64,
     /// In seconds.
     pub offset_s: f64,
-    /// Whether it was read in its source.
-    pub status: Status,
+    /// What was read of it.
+    pub read: Reading,
 }
 
 impl Formula {
     /// The rebound that it gives, m.
     ///
     /// ```
-    /// use bouncelab::rulebook::{Formula, Status};
+    /// use bouncelab::rulebook::{Formula, Reading};
     ///
-    /// let formula = Formula { factor_m_s2: 1.23, offset_s: 0.025, status: Status::Unverified };
+    /// let formula = Formula { factor_m_s2: 1.23, offset_s: 0.025, read: Reading::Memory };
     /// assert_eq!(format!("{:.2} m", formula.rebound_m(1.0)), "1.17 m");
     /// ```
     pub fn rebound_m(&self, time_s: f64) -> f64 {
@@ -196,12 +262,8 @@ pub struct Rule {
     pub name: String,
     /// What it is about, in a few words.
     pub title: String,
-    /// Who made it, and where it stands.
-    pub source: String,
-    /// Which edition, if that is known.
-    pub edition: Option<String>,
-    /// Whether it was read in its source.
-    pub status: Status,
+    /// Where it stands.
+    pub source: Source,
     /// What else to know.
     pub note: Option<String>,
     /// The preset of its ball ([`crate::ball::preset`]), if there is one.
@@ -220,25 +282,25 @@ pub struct Rule {
     pub requirement: Requirement,
     /// How alike places must be.
     pub evenness: Option<Evenness>,
-    /// How many drops it takes on each surface.
+    /// How many drops it takes: in each place, if it compares places, and on the reference.
     pub fewest_drops: usize,
+    /// How many places it takes.
+    pub fewest_places: usize,
     /// Over what it averages.
     pub averaging: Averaging,
     /// Air temperatures at which it holds, K.
     pub temperature_k: Limits,
+    /// Relative humidity of the air at which it holds, 0 to 1.
+    pub humidity: Limits,
     /// Heights above the sea at which it holds, m.
     pub altitude_m: Limits,
-    /// Its own formula for the rebound from a time.
+    /// How ball and surface are prepared, in words.
+    pub conditioning: Option<String>,
+    /// Its own formula for the rebound from a time. Without one the rule measures the height itself, and it
+    /// follows from the time by the physics of the flight.
     pub formula: Option<Formula>,
-}
-
-/// What is known of the ambient conditions, as far as rules ask.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Conditions {
-    /// Temperature of the air, K.
-    pub temperature_k: Option<f64>,
-    /// Height above the sea, m.
-    pub altitude_m: Option<f64>,
+    /// The result is rounded to a multiple of this before it is compared with the limits: m, or a share.
+    pub rounding: Option<f64>,
 }
 
 impl Rule {
@@ -257,9 +319,7 @@ impl Rule {
         Self {
             name: name.to_owned(),
             title: title.to_owned(),
-            source: "one's own".to_owned(),
-            edition: None,
-            status: Status::Unverified,
+            source: Source::new("one's own", Reading::Memory),
             note: None,
             ball: None,
             surface: None,
@@ -270,10 +330,14 @@ impl Rule {
             requirement: Requirement::Height(Limits::default()),
             evenness: None,
             fewest_drops: 1,
+            fewest_places: 1,
             averaging: Averaging::Mean,
             temperature_k: Limits::default(),
+            humidity: Limits::default(),
             altitude_m: Limits::default(),
+            conditioning: None,
             formula: None,
+            rounding: None,
         }
     }
 
@@ -308,6 +372,16 @@ impl Rule {
         matches!(self.requirement, Requirement::Share { .. })
     }
 
+    /// The limits that it sets, of heights (m) or of shares, before rounding; open without any.
+    pub fn limits(&self) -> Limits {
+        match &self.requirement {
+            Requirement::Height(limits) | Requirement::Share { limits, .. } => {
+                limits.before_rounding(self.rounding.unwrap_or(0.0))
+            }
+            Requirement::About(_) => Limits::default(),
+        }
+    }
+
     /// Whether it makes sense.
     ///
     /// # Errors
@@ -325,6 +399,7 @@ impl Rule {
             return Err(Error::EachOfReference);
         }
         self.temperature_k.check(Quantity::AirTemperature)?;
+        self.humidity.check(Quantity::Humidity)?;
         self.altitude_m.check(Quantity::Altitude)?;
         if let Some(Evenness::WithinOfMean(share) | Evenness::Range(share)) = self.evenness {
             within(Quantity::Evenness, share, (Excluded(0.0), Excluded(1.0)))?;
@@ -333,6 +408,10 @@ impl Rule {
             positive(Quantity::FormulaFactor, formula.factor_m_s2)?;
             within(Quantity::FormulaOffset, formula.offset_s, 0.0..1.0)?;
         }
+        if let Some(step) = self.rounding {
+            within(Quantity::Rounding, step, (Excluded(0.0), Excluded(0.1)))?;
+        }
+        within(Quantity::Places, self.fewest_places as f64, 1.0..=1000.0)?;
         within(Quantity::Drops, self.fewest_drops as f64, 1.0..=1000.0).map(drop)
     }
 

@@ -1,23 +1,24 @@
-//! Pass, fail, or cannot decide.
+//! Conforms, does not conform, or cannot decide.
 
 use std::fmt;
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
 
+use super::budget::{MeanRebound, Spread};
 use super::inconclusive::{self, InconclusiveReason, Remark};
-use super::pool;
+use super::procedure::{self, Check, Conditions, Kept};
 use super::rebound::Rebound;
-use super::rule::{Averaging, Conditions, Evenness, Limits, Requirement, Rule};
+use super::rule::{Averaging, Evenness, Limits, Rule};
 use crate::analysis::{Drop, Options};
 use crate::ball::{self, Ball};
-use crate::diagnostic::{Code, Diagnostic};
+use crate::diagnostic::Code;
 use crate::error::{Quantity, Result, positive_up_to};
 use crate::estimate::Estimate;
 use crate::stats;
-use crate::stats::{quantile, sorted};
 
-/// The drops that were heard in one place: those of one recording.
+/// The drops that were detected in one place: those of one recording, or of several.
 pub type Place<'a> = Vec<&'a Drop>;
 
 /// How a decision follows from a probability (JCGM 106:2012, clause 8).
@@ -63,21 +64,31 @@ impl Decision {
 /// What a verdict says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Outcome {
-    /// The rule is obeyed.
-    Pass,
-    /// It is not.
-    Fail,
-    /// These drops do not tell.
+    /// The limits are met, and the procedure of the rule is shown to be kept.
+    Conforms,
+    /// The limits are met, but parts of the procedure are not shown.
+    ConformsAsFarAsShown,
+    /// The limits are not met.
+    DoesNotConform,
+    /// These drops do not tell, or the procedure was not kept.
     CannotDecide,
+}
+
+impl Outcome {
+    /// Its name in data.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Conforms => "conforms",
+            Self::ConformsAsFarAsShown => "conforms-as-far-as-shown",
+            Self::DoesNotConform => "does-not-conform",
+            Self::CannotDecide => "cannot-decide",
+        }
+    }
 }
 
 impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Pass => "pass",
-            Self::Fail => "fail",
-            Self::CannotDecide => "cannot decide",
-        })
+        f.write_str(self.name())
     }
 }
 
@@ -87,19 +98,23 @@ impl fmt::Display for Outcome {
 pub struct Verdict {
     /// The decision.
     pub outcome: Outcome,
-    /// Probability that everything is within the limits, if there are limits and enough drops.
+    /// Probability that everything is within the limits, if there are limits and every drop has a height.
     pub within: Option<f64>,
-    /// The rebound, mean over the drops, m.
-    pub rebound: Option<Estimate>,
-    /// The rebound on the reference, m.
-    pub reference: Option<Estimate>,
+    /// The rebound by the procedure of the rule, mean over the drops.
+    pub rebound: Option<MeanRebound>,
+    /// The rebound on the reference.
+    pub reference: Option<MeanRebound>,
     /// The one over the other.
     pub share: Option<Estimate>,
     /// How unlike the places are, in the way of the rule.
     pub unevenness: Option<Estimate>,
-    /// The values (m, or shares for a rule that compares) that would pass at this uncertainty: the
+    /// What the model answers in its place, from all impacts: a height, m, or a share of the reference.
+    pub model: Option<Estimate>,
+    /// The values (m, or shares for a rule that compares) that would conform at this uncertainty: the
     /// limits less a guard band. `None` without limits, or if no value would.
     pub accepted: Option<Limits>,
+    /// The parts of the procedure, and whether they were kept.
+    pub procedure: Vec<Check>,
     /// Every drop on the surface.
     pub drops: Vec<Rebound>,
     /// Every drop on the reference.
@@ -111,34 +126,28 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// Probability that a pass is wrong: that something is outside the limits all the same.
+    /// Probability that it is wrong to say that it conforms: that something is outside the limits all the same.
     pub fn wrong_accept(&self) -> Option<f64> {
         self.within.map(|within| 1.0 - within)
     }
 
+    /// The value that is held against the limits: a height, m, or a share.
+    pub fn value(&self) -> Option<Estimate> {
+        self.share.or_else(|| Some(self.rebound.as_ref()?.height_m))
+    }
+
     /// Mean over the drops of the plain g T²/8 of their first flights, m; `None` unless all have one.
     pub fn drag_free_m(&self) -> Option<f64> {
-        mean_of(&self.drops, |drop| drop.drag_free_m)
-    }
-
-    /// Mean over the drops of the rule's own formula, m.
-    pub fn formula_m(&self) -> Option<f64> {
-        mean_of(&self.drops, |drop| drop.formula_m)
+        let heights_m = self.drops.iter().map(|drop| drop.drag_free_m);
+        let heights_m = heights_m.collect::<Option<Vec<f64>>>()?;
+        (!heights_m.is_empty()).then(|| stats::mean(&heights_m))
     }
 }
-
-fn mean_of(drops: &[Rebound], value: impl Fn(&Rebound) -> Option<f64>) -> Option<f64> {
-    let values = drops.iter().map(value).collect::<Option<Vec<f64>>>()?;
-    (!values.is_empty()).then(|| stats::mean(&values))
-}
-
-/// The seed of what little chance there is: the order in which draws meet.
-const SEED: u64 = 1;
 
 /// Judges drops by a rule. The [module](super) has an example.
 ///
 /// `surface` and `reference` are the drops on the surface and, for a rule that compares, on the
-/// reference, by place; they were analysed with the same `settings`, which must ask for the inference.
+/// reference, by place; they were analysed with the same `settings`. Without an inference the model has no answer.
 ///
 /// # Errors
 /// [`Error::OutOfRange`](crate::Error::OutOfRange) for a rule or a risk that makes no sense. That the
@@ -157,43 +166,63 @@ pub fn judge(
     let fall_m = rule.fall_m(settings.ball.diameter_m(), dropped_m);
     let drops = rebounds(surface, rule, fall_m, settings);
     let reference_drops = rebounds(reference, rule, fall_m, settings);
-    let mut doubts = of_conditions(rule, conditions);
-    if fall_m.is_none() {
-        doubts.push(InconclusiveReason::NoHeight);
-    }
-    doubts.extend(of_numbers(rule, surface, reference));
-    if fall_m.is_some() {
-        doubts.extend(of_drops(surface, &drops));
-        doubts.extend(of_drops(reference, &reference_drops));
-    }
-    let pooled = Pooled::new(rule, &drops, &reference_drops);
-    let within = pooled.within(rule, &drops);
-    let outcome = match within {
-        _ if !doubts.is_empty() => Outcome::CannotDecide,
-        Some(within) if 1.0 - within <= decision.risk() => Outcome::Pass,
-        Some(within) if within <= decision.risk() => Outcome::Fail,
-        _ => Outcome::CannotDecide,
-    };
+    let procedure = procedure::checks(
+        rule,
+        settings.ball.diameter_m(),
+        conditions,
+        surface,
+        reference,
+    );
+    let mut doubts = doubts(rule, fall_m, &procedure);
+    doubts.extend(of_drops(surface, &drops));
+    doubts.extend(of_drops(reference, &reference_drops));
+    let found = Found::new(rule, settings, fall_m, &drops, &reference_drops);
+    let within = found.within(rule, &drops);
+    let outcome = outcome(within, &doubts, &procedure, decision);
+    let mut remarks = inconclusive::of_rule(rule);
+    remarks.extend(other_ball(rule, &settings.ball));
     if outcome == Outcome::CannotDecide && doubts.is_empty() {
         doubts.push(InconclusiveReason::TooUncertain);
+        remarks.push(found.deciding_drops(rule, drops.len(), decision));
     }
-    let mut remarks = inconclusive::of_rule(rule);
-    remarks.extend(of_circumstances(
-        rule, fall_m, settings, conditions, surface,
-    ));
-    Ok(Verdict {
+    if (1..3).contains(&drops.len()) {
+        remarks.push(Remark::FewDrops(drops.len()));
+    }
+    let model = model(rule, &drops, &reference_drops).map(|spread| spread.estimate());
+    let share = found.share.map(|share| share.estimate());
+    let mut verdict = Verdict {
         outcome,
         within,
-        rebound: pool::summary(&pooled.rebound),
-        reference: pool::summary(&pooled.reference),
-        share: pool::summary(&pooled.share),
-        unevenness: pool::summary(&pooled.unevenness),
-        accepted: pooled.accepted(rule, decision),
+        share,
+        unevenness: Estimate::of_draws(found.unevenness.iter().copied()),
+        accepted: found.accepted(rule, decision),
+        rebound: found.rebound,
+        reference: found.reference,
+        model,
+        procedure,
         drops,
         reference_drops,
         doubts,
         remarks,
-    })
+    };
+    verdict.remarks.extend(verdict.model_differs());
+    Ok(verdict)
+}
+
+fn outcome(
+    within: Option<f64>,
+    doubts: &[InconclusiveReason],
+    procedure: &[Check],
+    decision: Decision,
+) -> Outcome {
+    let shown = procedure.iter().all(|check| check.kept == Kept::Yes);
+    match within {
+        _ if !doubts.is_empty() => Outcome::CannotDecide,
+        Some(within) if 1.0 - within <= decision.risk() && shown => Outcome::Conforms,
+        Some(within) if 1.0 - within <= decision.risk() => Outcome::ConformsAsFarAsShown,
+        Some(within) if within <= decision.risk() => Outcome::DoesNotConform,
+        _ => Outcome::CannotDecide,
+    }
 }
 
 fn rebounds(
@@ -202,42 +231,39 @@ fn rebounds(
     fall_m: Option<f64>,
     settings: &Options,
 ) -> Vec<Rebound> {
-    places
-        .iter()
-        .enumerate()
-        .flat_map(|(place, drops)| {
-            drops
-                .iter()
-                .map(move |drop| Rebound::new(place, drop, rule, fall_m, settings))
-        })
+    let placed = places.iter().enumerate();
+    let drops = placed.flat_map(|(place, drops)| drops.iter().map(move |&drop| (place, drop)));
+    drops
+        .map(|(place, drop)| Rebound::new(place, drop, rule, fall_m, settings))
         .collect()
 }
 
-/// Draws of what the drops say together; empty where they do not tell.
-#[derive(Default)]
-struct Pooled {
-    rebound: Vec<f64>,
-    reference: Vec<f64>,
-    share: Vec<f64>,
+/// The values that a rule holds against its limits.
+struct Found {
+    rebound: Option<MeanRebound>,
+    reference: Option<MeanRebound>,
+    share: Option<Spread>,
+    /// Draws of how unlike the places are; empty if the rule does not ask.
     unevenness: Vec<f64>,
 }
 
-impl Pooled {
-    fn new(rule: &Rule, drops: &[Rebound], reference: &[Rebound]) -> Self {
-        let mut rng = ChaCha8Rng::seed_from_u64(SEED);
-        let rebound = mean(drops.iter(), &mut rng);
-        let reference = mean(reference.iter(), &mut rng);
-        let share = pool::ratio(&rebound, &reference);
-        let last = drops.iter().map(|drop| drop.place).max().unwrap_or(0);
-        let places: Vec<Vec<f64>> = (0..=last)
-            .map(|place| mean(drops.iter().filter(|drop| drop.place == place), &mut rng))
-            .filter(|draws| !draws.is_empty())
-            .collect();
-        let unevenness = match rule.evenness {
-            Some(_) if places.len() < 2 => Vec::new(),
-            None => Vec::new(),
-            Some(Evenness::WithinOfMean(_)) => pool::across(&places, farthest_from_mean),
-            Some(Evenness::Range(_)) => pool::ratio(&pool::across(&places, range), &reference),
+impl Found {
+    fn new(
+        rule: &Rule,
+        settings: &Options,
+        fall_m: Option<f64>,
+        drops: &[Rebound],
+        reference: &[Rebound],
+    ) -> Self {
+        let mean = |drops: &[Rebound]| MeanRebound::new(drops, fall_m, rule, settings);
+        let (rebound, reference) = (mean(drops), mean(reference));
+        let share = rebound
+            .as_ref()
+            .zip(reference.as_ref())
+            .map(|(rebound, reference)| rebound.over(reference));
+        let unevenness = match (rule.evenness, &rebound) {
+            (Some(even), Some(_)) => unevenness(even, drops, reference.as_ref(), settings),
+            _ => Vec::new(),
         };
         Self {
             rebound,
@@ -247,82 +273,167 @@ impl Pooled {
         }
     }
 
-    /// The draws and the limits that the rule sets them.
-    fn required(&self, rule: &Rule) -> (&[f64], Limits) {
-        match &rule.requirement {
-            Requirement::Height(limits) => (&self.rebound, *limits),
-            Requirement::About(_) => (&self.rebound, Limits::default()),
-            Requirement::Share { limits, .. } => (&self.share, *limits),
+    /// The value that the rule limits.
+    fn limited(&self, rule: &Rule) -> Option<Spread> {
+        if rule.needs_reference() {
+            self.share
+        } else {
+            Some(self.rebound.as_ref()?.spread)
         }
     }
 
-    /// Probability that all is within the limits, on the safe side: one draw more is taken to be
-    /// outside, and one to be within.
+    /// Probability that all is within the limits. Whatever may go wrong cannot do more than add up.
     fn within(&self, rule: &Rule, drops: &[Rebound]) -> Option<f64> {
-        let (values, limits) = self.required(rule);
-        let even = match rule.evenness {
-            Some(_) if self.unevenness.is_empty() => return None,
-            Some(Evenness::WithinOfMean(most) | Evenness::Range(most)) => Some(most),
-            None => None,
-        };
-        if values.is_empty() || (limits.is_open() && even.is_none()) {
+        let limits = rule.limits();
+        let value = self.limited(rule)?;
+        if limits.is_open() || (rule.evenness.is_some() && self.unevenness.is_empty()) {
             return None;
         }
-        let is_even = |place: usize| {
-            even.is_none_or(|most| self.unevenness.get(place).is_some_and(|u| *u <= most))
+        let outside = if rule.averaging == Averaging::Each {
+            let each = drops
+                .iter()
+                .filter_map(|drop| Some(value.of_drop(drop.height_m?, drop.times_sd_m)));
+            each.map(|drop| 1.0 - drop.within(&limits)).sum()
+        } else {
+            1.0 - value.within(&limits)
         };
-        if rule.averaging == Averaging::Each {
-            // Whatever may go wrong cannot do more than add up.
-            let uneven = even.map_or(0.0, |_| 1.0 - share_of(self.unevenness.len(), is_even));
-            return Some((every_within(drops, &limits) - uneven).max(0.0));
-        }
-        let is_within = |place: usize| limits.contain(values[place]) && is_even(place);
-        Some(share_of(values.len(), is_within))
+        let uneven = rule.evenness.map_or(0.0, |even| {
+            let most = even.most();
+            let beyond = self
+                .unevenness
+                .iter()
+                .filter(|&&found| found > most)
+                .count();
+            (beyond as f64 + 1.0) / (self.unevenness.len() as f64 + 2.0)
+        });
+        Some((1.0 - outside - uneven).max(0.0))
     }
 
-    /// The limits less the guard bands: between the value and a limit must lie what the risk leaves
-    /// of the distribution.
+    /// The limits less the guard bands.
     fn accepted(&self, rule: &Rule, decision: Decision) -> Option<Limits> {
-        let (values, limits) = self.required(rule);
-        if limits.is_open() {
-            return None;
-        }
-        let sorted = sorted(values.iter().copied());
-        let at = |share: f64| quantile(&sorted, share);
-        let (middle, low, high) = (at(0.5)?, at(decision.risk())?, at(1.0 - decision.risk())?);
-        let accepted = Limits {
-            least: limits.least.map(|least| least + middle - low),
-            greatest: limits.greatest.map(|greatest| greatest - (high - middle)),
+        let limits = rule.limits();
+        let guard = self
+            .limited(rule)
+            .filter(|_| !limits.is_open())?
+            .guard(decision.risk());
+        let accepted = limits.before_rounding(-2.0 * guard);
+        let some = accepted
+            .least
+            .zip(accepted.greatest)
+            .is_none_or(|(least, greatest)| least <= greatest);
+        some.then_some(accepted)
+    }
+
+    /// How many drops with this mean and scatter would decide.
+    fn deciding_drops(&self, rule: &Rule, now: usize, decision: Decision) -> Remark {
+        /// Nobody drops a ball more often for one verdict.
+        const MOST: usize = 200;
+        let limits = rule.limits();
+        let decides = |count: &usize| {
+            let within = self
+                .limited(rule)
+                .map(|value| value.with_drops(now, *count).within(&limits));
+            within.is_some_and(|within| within.min(1.0 - within) <= decision.risk())
         };
-        let any = match (accepted.least, accepted.greatest) {
-            (Some(least), Some(greatest)) => least <= greatest,
-            _ => true,
-        };
-        any.then_some(accepted)
+        (2..=MOST)
+            .find(decides)
+            .map_or(Remark::NoDropsDecide, Remark::DecidingDrops)
     }
 }
 
-/// A lower bound of the probability that every drop is within: the chances of each to be outside
-/// cannot do more than add up.
-fn every_within(drops: &[Rebound], limits: &Limits) -> f64 {
-    let outside = |drop: &Rebound| {
-        1.0 - share_of(drop.draws.len(), |place| limits.contain(drop.draws[place]))
+/// The answer of the model in place of the value that the rule limits.
+fn model(rule: &Rule, drops: &[Rebound], reference: &[Rebound]) -> Option<Spread> {
+    let mean = |drops: &[Rebound]| {
+        let predicted: Vec<Estimate> = drops
+            .iter()
+            .map(|drop| drop.predicted_m)
+            .collect::<Option<_>>()?;
+        (!predicted.is_empty()).then(|| Spread::of_estimates(&predicted))
     };
-    (1.0 - drops.iter().map(outside).sum::<f64>()).max(0.0)
+    let surface = mean(drops)?;
+    if rule.needs_reference() {
+        Some(surface.over(&mean(reference)?))
+    } else {
+        Some(surface)
+    }
 }
 
-fn share_of(count: usize, holds: impl Fn(usize) -> bool) -> f64 {
-    let holding = (0..count).filter(|&place| holds(place)).count();
-    (holding as f64 + 1.0) / (count as f64 + 2.0)
+impl Verdict {
+    /// A remark if procedure and model differ by more than the uncertainties of both: an E number (`E_n`) above 1,
+    /// ISO 13528.
+    fn model_differs(&self) -> Option<Remark> {
+        let (value, model) = (self.value()?, self.model?);
+        let half = |estimate: &Estimate| (estimate.interval95[1] - estimate.interval95[0]) / 2.0;
+        let by = value.value - model.value;
+        (by.abs() > half(&value).hypot(half(&model))).then_some(Remark::ModelDiffers)
+    }
 }
 
-/// The mean over drops, if all of them tell.
-fn mean<'a>(drops: impl Iterator<Item = &'a Rebound>, rng: &mut ChaCha8Rng) -> Vec<f64> {
-    let draws: Vec<&[f64]> = drops.map(|drop| drop.draws.as_slice()).collect();
-    if draws.iter().any(|draws| draws.is_empty()) {
+/// Draws of how unlike the places are. The mean of each is uncertain by the scatter of drops within places, and at least by
+/// the errors of their times; what all places share cancels.
+fn unevenness(
+    even: Evenness,
+    drops: &[Rebound],
+    reference: Option<&MeanRebound>,
+    settings: &Options,
+) -> Vec<f64> {
+    const DRAWS: usize = 4000;
+    /// The seed of the draws.
+    const SEED: u64 = 1;
+    let last = drops.iter().map(|drop| drop.place).max().unwrap_or(0);
+    let places: Vec<Vec<&Rebound>> = (0..=last)
+        .map(|place| drops.iter().filter(|drop| drop.place == place).collect())
+        .filter(|drops: &Vec<&Rebound>| !drops.is_empty())
+        .collect();
+    if places.len() < 2 {
         return Vec::new();
     }
-    pool::mean(&draws, rng)
+    let means_m: Vec<f64> = places.iter().map(|place| mean_of(place)).collect();
+    let squares: f64 = places
+        .iter()
+        .zip(&means_m)
+        .flat_map(|(place, mean_m)| {
+            place
+                .iter()
+                .map(move |drop| (drop.height_m.unwrap_or(*mean_m) - mean_m).powi(2))
+        })
+        .sum();
+    let freedom = drops.len() - places.len();
+    let scatter_m = if freedom == 0 {
+        // One drop a place shows no scatter: that of the restitution is assumed.
+        2.0 * settings.priors.restitution_scatter * stats::mean(&means_m)
+    } else {
+        (squares / freedom as f64).sqrt()
+    };
+    let sds_m: Vec<f64> = places
+        .iter()
+        .map(|place| {
+            let times_m = place.iter().map(|drop| drop.times_sd_m).fold(0.0, f64::max);
+            scatter_m.max(times_m) / (place.len() as f64).sqrt()
+        })
+        .collect();
+    let reference_m = reference.map_or(f64::NAN, |reference| reference.height_m.value);
+    let mut chance = ChaCha8Rng::seed_from_u64(SEED);
+    let draws = (0..DRAWS).map(|_| {
+        let drawn: Vec<f64> = means_m
+            .iter()
+            .zip(&sds_m)
+            .map(|(mean_m, sd_m)| {
+                let error: f64 = StandardNormal.sample(&mut chance);
+                mean_m + sd_m * error
+            })
+            .collect();
+        match even {
+            Evenness::WithinOfMean(_) => farthest_from_mean(&drawn),
+            Evenness::Range(_) => range(&drawn) / reference_m,
+        }
+    });
+    draws.filter(|found| found.is_finite()).collect()
+}
+
+fn mean_of(drops: &[&Rebound]) -> f64 {
+    let heights_m: Vec<f64> = drops.iter().filter_map(|drop| drop.height_m).collect();
+    stats::mean(&heights_m)
 }
 
 fn farthest_from_mean(places: &[f64]) -> f64 {
@@ -334,51 +445,20 @@ fn farthest_from_mean(places: &[f64]) -> f64 {
 }
 
 fn range(places: &[f64]) -> f64 {
-    let ends = places
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &place| {
-            (low.min(place), high.max(place))
-        });
-    ends.1 - ends.0
+    let greatest = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    greatest - places.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
-fn of_conditions(rule: &Rule, conditions: &Conditions) -> Vec<InconclusiveReason> {
-    let temperature = conditions
-        .temperature_k
-        .filter(|&kelvin| !rule.temperature_k.contain(kelvin))
-        .map(InconclusiveReason::Temperature);
-    let altitude = conditions
-        .altitude_m
-        .filter(|&metres| !rule.altitude_m.contain(metres))
-        .map(InconclusiveReason::Altitude);
-    temperature.into_iter().chain(altitude).collect()
-}
-
-fn of_numbers(rule: &Rule, surface: &[Place], reference: &[Place]) -> Vec<InconclusiveReason> {
-    let count = |places: &[Place]| places.iter().map(Vec::len).sum::<usize>();
-    let too_few = |given: usize, of_reference| {
-        (given < rule.fewest_drops).then_some(InconclusiveReason::TooFewDrops {
-            needed: rule.fewest_drops,
-            given,
-            of_reference,
-        })
-    };
-    let mut doubts: Vec<InconclusiveReason> = too_few(count(surface), false).into_iter().collect();
-    let open = match &rule.requirement {
-        Requirement::Height(limits) | Requirement::Share { limits, .. } => limits.is_open(),
-        Requirement::About(_) => true,
-    };
-    if open {
+fn doubts(rule: &Rule, fall_m: Option<f64>, procedure: &[Check]) -> Vec<InconclusiveReason> {
+    let broken = procedure.iter().filter(|check| check.kept == Kept::No);
+    let mut doubts: Vec<_> = broken
+        .map(|check| InconclusiveReason::NotKept(check.item))
+        .collect();
+    if rule.limits().is_open() {
         doubts.push(InconclusiveReason::NoLimits);
     }
-    if rule.needs_reference() {
-        match count(reference) {
-            0 => doubts.push(InconclusiveReason::NoReference),
-            given => doubts.extend(too_few(given, true)),
-        }
-    }
-    if rule.evenness.is_some() && surface.len() < 2 {
-        doubts.push(InconclusiveReason::OnePlace);
+    if fall_m.is_none() {
+        doubts.push(InconclusiveReason::NoHeight);
     }
     doubts
 }
@@ -388,26 +468,18 @@ fn of_drops(places: &[Place], rebounds: &[Rebound]) -> Vec<InconclusiveReason> {
     let drops = places.iter().flatten();
     let mut doubts = Vec::new();
     for ((drop, rebound), number) in drops.zip(rebounds).zip(1..) {
-        let unknown = |reason| InconclusiveReason::Unknown(number, reason);
-        match &drop.posterior {
-            Err(reason) => doubts.push(unknown(reason.diagnostic())),
-            Ok(found) => {
-                doubts.extend(
-                    found
-                        .diagnostics
-                        .iter()
-                        .filter_map(|known| match known.code {
-                            Code::HeightContradictsTimes => {
-                                Some(InconclusiveReason::Height(known.clone()))
-                            }
-                            _ => None,
-                        }),
-                );
-                if rebound.draws.is_empty() {
-                    doubts.push(unknown(Diagnostic::new(Code::HeightOutOfReach)));
-                }
-            }
+        if rebound.height_m.is_none() {
+            doubts.push(InconclusiveReason::NoFirstFlight(number));
         }
+        let known = drop.posterior.iter().flat_map(|found| &found.diagnostics);
+        let doubtful = |code| {
+            matches!(
+                code,
+                Code::HeightContradictsTimes | Code::FirstImpactDoubtful
+            )
+        };
+        let doubtful = known.filter(|known| doubtful(known.code));
+        doubts.extend(doubtful.map(|known| InconclusiveReason::Doubtful(known.clone())));
     }
     doubts
 }
@@ -421,50 +493,4 @@ fn other_ball(rule: &Rule, ball: &Ball) -> Option<Remark> {
     let other = differs(ball.mass_kg(), preset.known.ball.mass_kg())
         || differs(ball.diameter_m(), preset.known.ball.diameter_m());
     other.then_some(Remark::OtherBall(preset.name))
-}
-
-fn of_circumstances(
-    rule: &Rule,
-    fall_m: Option<f64>,
-    settings: &Options,
-    conditions: &Conditions,
-    surface: &[Place],
-) -> Vec<Remark> {
-    /// A height this much off is another height.
-    const SAME: f64 = 0.02;
-    /// An impact this much faster is another impact.
-    const FASTER: f64 = 1.1;
-    let dropped_m = settings.priors.drop_height_m.map(|height| height.value);
-    let mut remarks = Vec::new();
-    remarks.extend(other_ball(rule, &settings.ball));
-    if conditions.temperature_k.is_none() && !rule.temperature_k.is_open() {
-        remarks.push(Remark::TemperatureNotStated(rule.temperature_k));
-    }
-    if conditions.altitude_m.is_none() && !rule.altitude_m.is_open() {
-        remarks.push(Remark::AltitudeNotStated(rule.altitude_m));
-    }
-    if let (Some(dropped_m), Some(rule_m)) = (dropped_m, fall_m)
-        && (dropped_m / rule_m - 1.0).abs() > SAME
-    {
-        remarks.push(Remark::OtherHeight { dropped_m, rule_m });
-    }
-    let fastest = surface
-        .iter()
-        .flatten()
-        .filter_map(|drop| drop.posterior.as_ref().ok())
-        .flat_map(|found| &found.impacts)
-        .map(|impact| impact.impact_speed_m_s.value)
-        .fold(0.0, f64::max);
-    let of_rule = settings.model().ok().zip(fall_m);
-    if let Some(Ok(fall)) = of_rule.map(|(model, fall_m)| model.fall(fall_m))
-        && fastest > 0.0
-        && fall.impact_speed_m_s > FASTER * fastest
-    {
-        remarks.push(Remark::Extrapolated(fall.impact_speed_m_s / fastest));
-    }
-    let drops = surface.iter().map(Vec::len).sum::<usize>();
-    if (1..3).contains(&drops) {
-        remarks.push(Remark::FewDrops(drops));
-    }
-    remarks
 }

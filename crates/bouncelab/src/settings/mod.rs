@@ -30,7 +30,7 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::drag::DragLaw;
 use crate::flight::Environment;
 use crate::inference::{Measured, PossibleBall, Priors};
-use crate::rulebook::Rule;
+use crate::rulebook::{Conditions, Rule};
 
 pub use air::AirSettings;
 pub use analysis::{AnalysisSettings, DetectionSettings, EditSettings};
@@ -93,6 +93,8 @@ pub struct Setup {
     pub ball: BallKind,
     /// What was assumed, one diagnostic for each.
     pub assumptions: Vec<Diagnostic>,
+    /// The circumstances that were given, as far as rules of sports ask for them.
+    pub conditions: Conditions,
 }
 
 impl Settings {
@@ -159,10 +161,18 @@ impl Settings {
         if kind == BallKind::Unstated {
             assumptions.insert(0, self.leave_ball_open(&mut options)?);
         }
+        let conditions = Conditions {
+            drop_height_m: options.priors.drop_height_m,
+            temperature_k: self.air.temperature_k,
+            relative_humidity: self.air.relative_humidity,
+            altitude_m: self.gravity.altitude_m,
+            kept: Vec::new(),
+        };
         Ok(Setup {
             options,
             ball: kind,
             assumptions,
+            conditions,
         })
     }
 

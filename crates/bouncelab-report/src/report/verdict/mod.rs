@@ -1,9 +1,8 @@
 //! The page of a verdict.
 
+mod notes;
 mod tables;
 mod words;
-
-use bouncelab::rulebook::Status;
 
 use super::conditions::{priors, shared_conditions};
 use super::input::Provenance;
@@ -15,32 +14,40 @@ use crate::figure;
 use crate::messages::{Translator, capital};
 use crate::rules;
 
-pub use tables::{differences, drops as drop_table, ways};
+pub use notes::{MethodCheck, TestNotes};
+pub use tables::{budget, drops as drop_table, procedure, ways};
 pub use words::{because, by_rule, outcome, outcome_name};
 
 /// The page of a verdict: what was decided, the rule, the rebound in several ways, each drop, what was
-/// assumed, the method, and how to repeat it.
+/// assumed, the method, and how to repeat it; with the notes of a laboratory the report of a test.
 pub fn of_verdict(
     evaluation: &Evaluation<'_>,
     provenance: &Provenance,
+    notes: Option<&TestNotes>,
     translator: &Translator,
 ) -> Page {
     let title = translator.with_colon(&rules::words::title(evaluation.rule, translator));
     let outcome = words::outcome_name(evaluation.verdict.outcome, translator);
+    let made = provenance.made.as_deref();
+    let cited = evaluation.rule.source.citation();
+    let head = notes.map(|notes| notes.section(cited, made, translator));
+    let sections = vec![
+        rebound(evaluation, translator),
+        the_rule(evaluation, translator),
+        drops(evaluation, translator),
+        shared_conditions(evaluation.setup, translator),
+        priors(&evaluation.setup.options, translator),
+        decision(translator),
+        method(translator),
+        repeat(provenance, translator),
+    ];
+    let closing = notes.map(|notes| notes.closing(translator));
     Page {
-        title: format!("{title} {outcome}"),
+        title: notes.map_or_else(String::new, |notes| notes.title(translator))
+            + &format!("{title} {outcome}"),
         subtitle: made_by(provenance, translator),
         lead: lead(evaluation, translator),
-        sections: vec![
-            the_rule(evaluation, translator),
-            rebound(evaluation, translator),
-            drops(evaluation, translator),
-            shared_conditions(evaluation.setup, translator),
-            priors(&evaluation.setup.options, translator),
-            decision(translator),
-            method(translator),
-            repeat(provenance, translator),
-        ],
+        sections: head.into_iter().chain(sections).chain(closing).collect(),
         details: Vec::new(),
         unfolded: false,
         language: Language::new(translator),
@@ -54,9 +61,6 @@ fn lead(evaluation: &Evaluation<'_>, translator: &Translator) -> Vec<Block> {
         words::by_rule(verdict, evaluation.decision, translator).join(" "),
     ));
     lead.extend(words::because(verdict, translator).map(Block::Note));
-    if evaluation.rule.status == Status::Unverified {
-        lead.push(Block::Note(translator.text("rule-nobody-read")));
-    }
     let chart = figure::verdict(evaluation.rule, verdict, evaluation.files, translator);
     lead.push(Block::figure("verdict", chart));
     lead
@@ -66,19 +70,32 @@ fn the_rule(evaluation: &Evaluation<'_>, translator: &Translator) -> Section {
     let name = (translator.text("rule-name"), evaluation.rule.name.clone());
     let facts = std::iter::once(name).chain(rules::words::facts(evaluation.rule, translator));
     let facts = facts.map(|(name, value)| (capital(&name), value));
+    let checks = tables::procedure(evaluation.rule, &evaluation.verdict.procedure, translator);
     Section::new(
         translator.text("verdict-the-rule"),
-        vec![Block::Facts(facts.collect())],
+        vec![
+            Block::Facts(facts.collect()),
+            Block::table(translator.text("verdict-procedure"), checks),
+        ],
     )
 }
 
 fn rebound(evaluation: &Evaluation<'_>, translator: &Translator) -> Section {
     let ways = tables::ways(evaluation.verdict, translator);
     let mut blocks = vec![Block::table(translator.text("verdict-ways"), ways)];
-    if let Some(steps) = tables::differences(evaluation.verdict, translator) {
-        blocks.push(Block::table(translator.text("verdict-steps"), steps));
-        blocks.push(Block::text(translator.text("verdict-steps-why")));
+    let budgets = [
+        ("verdict-budget", &evaluation.verdict.rebound),
+        ("verdict-budget-reference", &evaluation.verdict.reference),
+    ];
+    for (id, mean) in budgets {
+        if let Some(mean) = mean {
+            blocks.push(Block::table(
+                translator.text(id),
+                tables::budget(mean, translator),
+            ));
+        }
     }
+    blocks.push(Block::text(translator.text("verdict-budget-why")));
     let remarks = evaluation.verdict.remarks.iter();
     let remarks = remarks.map(|remark| translator.diagnostic(&remark.diagnostic()));
     let notes = remarks.chain(rules::words::note(evaluation.rule, translator));

@@ -1,10 +1,33 @@
-//! The rebound of the drops, as tables.
+//! The verdict, as tables.
 
-use bouncelab::rulebook::{Correction, Rebound, Step, Verdict};
+use bouncelab::rulebook::{Check, Kept, MeanRebound, Rebound, Rule, Verdict};
 
 use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
+use crate::rules::words;
 use crate::table::{Align, Table};
+
+/// The parts of the procedure: what the rule asks for, what was found, and whether it was kept.
+pub fn procedure(rule: &Rule, checks: &[Check], translator: &Translator) -> Table {
+    let columns = ["verdict-item", "verdict-asked", "verdict-here"];
+    let mut table = Table::with_headings(translator, columns.map(|id| (id, Align::Left)));
+    for check in checks {
+        let kept = translator.text(match check.kept {
+            Kept::Yes => "verdict-kept",
+            Kept::No => "verdict-not-kept",
+            Kept::NotShown => "verdict-not-shown",
+        });
+        let found = check
+            .found
+            .map(|found| words::found(check.item, found, translator));
+        table.row([
+            translator.named("item", check.item.name()),
+            words::asked(rule, check.item, translator),
+            translator.in_one_line(found.into_iter().chain([kept])),
+        ]);
+    }
+    table
+}
 
 /// The rebound by each method.
 pub fn ways(verdict: &Verdict, translator: &Translator) -> Table {
@@ -16,27 +39,39 @@ pub fn ways(verdict: &Verdict, translator: &Translator) -> Table {
             ("column-95", Align::Right),
         ],
     );
+    let height = |mean: &Option<MeanRebound>| mean.as_ref().map(|mean| mean.height_m);
+    let unit = if verdict.share.is_some() {
+        Unit::Percent
+    } else {
+        Unit::Length
+    };
     let estimated = [
-        ("verdict-predicted-air", &verdict.rebound, Unit::Length),
-        ("verdict-reference", &verdict.reference, Unit::Length),
-        ("verdict-share", &verdict.share, Unit::Percent),
-        ("verdict-unevenness", &verdict.unevenness, Unit::Percent),
+        (
+            "verdict-by-procedure",
+            height(&verdict.rebound),
+            Unit::Length,
+        ),
+        (
+            "verdict-reference",
+            height(&verdict.reference),
+            Unit::Length,
+        ),
+        ("verdict-share", verdict.share, Unit::Percent),
+        ("verdict-unevenness", verdict.unevenness, Unit::Percent),
+        ("verdict-by-model", verdict.model, unit),
     ];
     for (id, estimate, unit) in estimated {
         if let Some(estimate) = estimate {
-            let value = Quantity::of(estimate, unit);
+            let value = Quantity::of(&estimate, unit);
             let interval = value.interval_text(estimate.interval95, translator);
             table.row([translator.text(id), value.text(translator), interval]);
         }
     }
-    let plain = [
-        ("verdict-plain", verdict.drag_free_m()),
-        ("verdict-formula", verdict.formula_m()),
-    ];
-    for (id, height_m) in plain {
-        if let Some(height_m) = height_m {
-            table.row([translator.text(id), length(height_m, translator)]);
-        }
+    if let Some(height_m) = verdict.drag_free_m() {
+        table.row([
+            translator.text("verdict-plain"),
+            length(height_m, translator),
+        ]);
     }
     if table.is_empty() {
         table.row([String::new(), translator.text("unit-cannot-tell")]);
@@ -44,33 +79,42 @@ pub fn ways(verdict: &Verdict, translator: &Translator) -> Table {
     table
 }
 
-/// What lies between the plain height and the predicted one, if every drop says so.
-pub fn differences(verdict: &Verdict, translator: &Translator) -> Option<Table> {
-    let drops = &verdict.drops;
-    let first = drops.first()?;
-    if drops.iter().any(|drop| drop.steps.is_empty()) {
-        return None;
-    }
+/// The budget of the uncertainty of a mean.
+pub fn budget(mean: &MeanRebound, translator: &Translator) -> Table {
     let mut table = Table::with_headings(
         translator,
         [
             ("verdict-reason", Align::Left),
-            ("verdict-centimetres", Align::Right),
+            ("verdict-correction", Align::Right),
+            ("verdict-standard-uncertainty", Align::Right),
+            ("verdict-degrees", Align::Right),
         ],
     );
-    let count = drops.len() as f64;
-    for (index, step) in first.steps.iter().enumerate() {
-        let of_drop = |drop: &Rebound| drop.steps.get(index).map_or(0.0, |s: &Step| s.height_m);
-        let mean_m = drops.iter().map(of_drop).sum::<f64>() / count;
-        let why = match step.why {
-            Correction::Contact => "verdict-step-contact",
-            Correction::Buoyancy => "verdict-step-buoyancy",
-            Correction::Drag => "verdict-step-drag",
-            _ => "verdict-step-this-drop",
-        };
-        table.row([translator.text(why), signed(mean_m * 100.0, translator)]);
+    let centimetres = |metres: f64| translator.fixed(metres * 100.0, 3);
+    for part in &mean.budget {
+        let correction = part.correction_m;
+        table.row([
+            translator.text(&format!("verdict-cause-{}", part.cause.name())),
+            if correction == 0.0 {
+                String::new()
+            } else {
+                signed(correction * 100.0, translator)
+            },
+            centimetres(part.sd_m),
+            if part.degrees_of_freedom.is_finite() {
+                translator.fixed(part.degrees_of_freedom, 0)
+            } else {
+                String::new()
+            },
+        ]);
     }
-    Some(table)
+    table.row([
+        translator.text("verdict-combined"),
+        String::new(),
+        centimetres(mean.height_m.sd),
+        String::new(),
+    ]);
+    table
 }
 
 /// With its sign, but for zero.
@@ -83,35 +127,32 @@ fn signed(value: f64, translator: &Translator) -> String {
 
 /// The result of each drop.
 pub fn drops(drops: &[Rebound], files: &[String], translator: &Translator) -> Table {
-    let with_formula = drops.iter().any(|drop| drop.formula_m.is_some());
-    let mut columns = vec![
+    let columns = [
         ("verdict-file", Align::Left),
         ("verdict-first-flight", Align::Right),
         ("column-plain", Align::Right),
+        ("verdict-height", Align::Right),
+        ("verdict-model", Align::Right),
     ];
-    if with_formula {
-        columns.push(("verdict-formula-short", Align::Right));
-    }
-    columns.push(("verdict-predicted", Align::Right));
     let mut table = Table::with_headings(translator, columns);
     for drop in drops {
         let shown = |height: Option<f64>| {
-            height.map_or_else(String::new, |height_m| length(height_m, translator))
+            height.map_or_else(
+                || translator.text("unit-cannot-tell"),
+                |height_m| length(height_m, translator),
+            )
         };
-        let mut row = vec![
+        table.row([
             files.get(drop.place).cloned().unwrap_or_default(),
             drop.first_flight_s
                 .map_or_else(String::new, |time_s| translator.fixed(time_s, 4)),
             shown(drop.drag_free_m),
-        ];
-        if with_formula {
-            row.push(shown(drop.formula_m));
-        }
-        row.push(drop.predicted_m.map_or_else(
-            || translator.text("unit-cannot-tell"),
-            |height| Quantity::of(&height, Unit::Length).text(translator),
-        ));
-        table.row(row);
+            shown(drop.height_m),
+            drop.predicted_m.map_or_else(
+                || translator.text("unit-cannot-tell"),
+                |height| Quantity::of(&height, Unit::Length).text(translator),
+            ),
+        ]);
     }
     table
 }

@@ -16,11 +16,7 @@ pub fn because(verdict: &Verdict, translator: &Translator) -> impl Iterator<Item
 
 /// The decision in a few words.
 pub fn outcome_name(outcome: Outcome, translator: &Translator) -> String {
-    translator.text(match outcome {
-        Outcome::Pass => "verdict-pass",
-        Outcome::Fail => "verdict-fail",
-        Outcome::CannotDecide => "verdict-cannot-decide",
-    })
+    translator.text(&format!("verdict-{}", outcome.name()))
 }
 
 /// The decision, and how sure it is.

@@ -1,0 +1,375 @@
+//! `bouncelab job`: a test by a rule, drop after drop and place after place.
+
+mod record;
+
+use std::path::{Path, PathBuf};
+
+use bouncelab::rulebook::{self, Conditions, Decision, Item, Rule};
+use bouncelab::{Plain, demo};
+use bouncelab_report::report::Provenance;
+use bouncelab_report::report::verdict::{MethodCheck, TestNotes};
+use bouncelab_report::rules;
+use clap::{Args, Subcommand};
+use jiff::Zoned;
+use record::{Job, Recorded};
+
+use crate::analyze::read;
+use crate::failure::Failure;
+use crate::language::{text, text_with};
+use crate::report::{OutputArguments, ReportFile, provenance, wrote};
+use crate::rules::Files;
+use crate::terminal::{print, print_json};
+use crate::verdict::{Format, Surface, Test, setup_of_rule};
+
+/// Test by a rule, drop after drop and place after place, and report it
+///
+/// A job is a folder: notes to fill in (job.toml), a copy of every recording with its SHA-256, and a journal. After a crash
+/// it goes on where it was.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    what: What,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  bouncelab job new court --rule itf-court --places 5
+  bouncelab job add court drop1.wav drop2.wav           the next place with too few drops
+  bouncelab job add court drop3.wav --place 2
+  bouncelab job repeat court 3 --reason 'a door slammed'
+  bouncelab job show court --report court.html";
+
+#[derive(Subcommand)]
+enum What {
+    /// Make a job
+    New {
+        /// Its folder
+        folder: PathBuf,
+        /// The rule, one of `bouncelab rules list`
+        #[arg(long, value_name = "NAME")]
+        rule: String,
+        /// How many places are tested [default: as many as the rule asks for]
+        #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..=1000))]
+        places: Option<u16>,
+        /// How many drops in each place [default: as many as the rule asks for]
+        #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..=1000))]
+        drops: Option<u16>,
+        #[command(flatten)]
+        rules: Files,
+    },
+    /// Add recordings; each is kept, and counts in its place
+    Add {
+        /// The folder of the job
+        folder: PathBuf,
+        /// Recordings, or lists of impact times
+        #[arg(required = true, value_name = "FILE")]
+        files: Vec<PathBuf>,
+        /// The place, 1 for the first; 0 is the reference [default: the next with too few drops]
+        #[arg(long, value_name = "NUMBER")]
+        place: Option<usize>,
+    },
+    /// Let a recording be repeated: it stays, and counts no more
+    Repeat {
+        /// The folder of the job
+        folder: PathBuf,
+        /// The number of the recording
+        number: usize,
+        /// Why
+        #[arg(long, value_name = "TEXT")]
+        reason: String,
+    },
+    /// Show what there is, and the verdict so far
+    Show {
+        /// The folder of the job
+        folder: PathBuf,
+        /// How to print the result; JSON is documented in docs/json.md
+        #[arg(long, value_enum, default_value_t = Format::Text)]
+        format: Format,
+        /// Write the test report: .html (one file) or .md (with its figures in a folder)
+        #[arg(long, value_name = "FILE")]
+        report: Option<PathBuf>,
+        #[command(flatten)]
+        outputs: OutputArguments,
+    },
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    match &arguments.what {
+        What::New {
+            folder,
+            rule,
+            places,
+            drops,
+            rules,
+        } => {
+            let known = rules.read()?;
+            let rule = rulebook::find(&known, &String::from(Plain::of(rule)))?;
+            new(folder, rule, [*places, *drops], rules.paths())
+        }
+        What::Add {
+            folder,
+            files,
+            place,
+        } => add(folder, files, *place),
+        What::Repeat {
+            folder,
+            number,
+            reason,
+        } => Job::open(folder)?.repeat(*number, &String::from(Plain::of(reason))),
+        What::Show {
+            folder,
+            format,
+            report,
+            outputs,
+        } => show(folder, *format, report.as_deref(), outputs),
+    }
+}
+
+fn new(
+    folder: &Path,
+    rule: &Rule,
+    [places, drops]: [Option<u16>; 2],
+    files: &[PathBuf],
+) -> Result<(), Failure> {
+    let number =
+        |given: Option<u16>, of_rule: usize| given.map_or(of_rule, usize::from).to_string();
+    let files = files.iter().map(|path| {
+        path.canonicalize()
+            .map(|path| format!("{:?}", path.to_string_lossy()))
+    });
+    let files = files.collect::<Result<Vec<String>, _>>()?.join(", ");
+    let notes = include_str!("template.toml")
+        .replace("RULE", &rule.name)
+        .replace("PLACES", &number(places, rule.places()))
+        .replace("DROPS", &number(drops, rule.fewest_drops))
+        .replace("rules = []", &format!("rules = [{files}]"));
+    wrote(&Job::create(folder, &notes)?);
+    Ok(())
+}
+
+/// A job with what follows from its notes.
+struct Opened {
+    job: Job,
+    rule: Rule,
+    setup: bouncelab::settings::Setup,
+}
+
+impl Opened {
+    fn new(folder: &Path) -> Result<Self, Failure> {
+        let job = Job::open(folder)?;
+        let files: Vec<PathBuf> = job
+            .notes
+            .rules
+            .iter()
+            .map(|path| folder.join(path))
+            .collect();
+        let rules = rules::all(&files)?;
+        let rule = rulebook::find(&rules, &job.notes.rule)?.clone();
+        let mut setup = setup_of_rule(&job.notes.settings, &rule, |settings| {
+            Ok(settings.resolve()?)
+        })?;
+        let kept = job.notes.kept.iter().map(|name| Item::stated(name));
+        setup.conditions.kept = kept.collect::<Result<_, _>>()?;
+        Ok(Self { job, rule, setup })
+    }
+
+    /// The places in their order, the reference first.
+    fn places(&self) -> std::ops::RangeInclusive<usize> {
+        usize::from(!self.rule.needs_reference())..=self.job.notes.places
+    }
+
+    fn next_place(&self) -> Option<usize> {
+        self.places()
+            .find(|&place| self.job.drops(place) < self.job.notes.drops)
+    }
+
+    /// "place 2 of 5, drop 3 of 5".
+    fn position(&self, place: usize) -> String {
+        let id = if place == 0 {
+            "job-reference"
+        } else {
+            "job-place"
+        };
+        let words = [
+            ("place", place.into()),
+            ("places", self.job.notes.places.into()),
+            ("drop", self.job.drops(place).into()),
+            ("drops", self.job.notes.drops.into()),
+        ];
+        text_with(id, &words)
+    }
+
+    /// The recordings of places, analysed.
+    fn surface(&self, places: impl Iterator<Item = usize>) -> Result<Surface, Failure> {
+        let mut surface = Surface::default();
+        for place in places {
+            let recorded: Vec<&Recorded> = self.job.of_place(place).collect();
+            if recorded.is_empty() {
+                continue;
+            }
+            let of_place = recorded
+                .iter()
+                .map(|recorded| read(&self.job.sound(recorded)?, &self.setup.options, true));
+            let name = if place == 0 {
+                text("verdict-item-reference")
+            } else {
+                self.name(place)
+            };
+            surface.push(name, of_place.collect::<Result<_, Failure>>()?);
+        }
+        Ok(surface)
+    }
+
+    fn name(&self, place: usize) -> String {
+        text_with("job-place-name", &[("place", place.into())])
+    }
+}
+
+fn add(folder: &Path, files: &[PathBuf], place: Option<usize>) -> Result<(), Failure> {
+    let mut opened = Opened::new(folder)?;
+    for path in files {
+        let place = match place.or_else(|| opened.next_place()) {
+            Some(place) if opened.places().contains(&place) => place,
+            Some(place) => return Err(Failure::Usage(format!("the job has no place {place}"))),
+            None => {
+                return Err(Failure::Usage(
+                    "every place has its drops; state one with --place to add more".to_owned(),
+                ));
+            }
+        };
+        let analysed = read(path, &opened.setup.options, false)?;
+        if let Some(reason) = analysed.no_drop() {
+            return Err(Failure::Input(reason));
+        }
+        let content = bouncelab_session::hash::hash_of_file(path)?.to_string();
+        if let Some(same) = opened
+            .job
+            .recorded
+            .iter()
+            .find(|recorded| recorded.sha256 == content)
+        {
+            return Err(Failure::Usage(format!(
+                "{} is recording {} of the job; each recording counts once",
+                Plain::path(path),
+                same.number
+            )));
+        }
+        let now = Zoned::now().strftime("%Y-%m-%d %H:%M:%S %z").to_string();
+        let drops = analysed.result.drops.len();
+        let number = opened.job.add(path, place, drops, now)?;
+        print(format!("{number}  {}\n", opened.position(place)))?;
+    }
+    // The result so far needs no model.
+    opened.setup.options.inference = None;
+    let reference = opened.surface(std::iter::once(0))?;
+    let surface = opened.surface(1..=opened.job.notes.places)?;
+    let test = Test::new(
+        &opened.rule,
+        &opened.setup,
+        surface,
+        reference,
+        Decision::default(),
+    )?;
+    print(test.result() + "\n")
+}
+
+fn show(
+    folder: &Path,
+    format: Format,
+    report: Option<&Path>,
+    outputs: &OutputArguments,
+) -> Result<(), Failure> {
+    let opened = Opened::new(folder)?;
+    let sounds = opened
+        .job
+        .recorded
+        .iter()
+        .map(|recorded| folder.join(&recorded.file));
+    let outputs = outputs.outputs(sounds);
+    let report = report
+        .map(|path| ReportFile::new(path, &outputs))
+        .transpose()?;
+    let reference = opened.surface(std::iter::once(0))?;
+    let surface = opened.surface(1..=opened.job.notes.places)?;
+    let test = Test::new(
+        &opened.rule,
+        &opened.setup,
+        surface,
+        reference,
+        Decision::default(),
+    )?;
+    if let Some(file) = report {
+        let files = opened
+            .job
+            .recorded
+            .iter()
+            .map(|recorded| (line(recorded), recorded.sha256.clone()));
+        let provenance = Provenance {
+            files: files.collect(),
+            ..provenance()
+        };
+        let notes = TestNotes {
+            check: Some(method_check()?),
+            ..opened.job.notes.test.clone()
+        };
+        file.write(&test.page(&provenance, Some(&notes)))?;
+    }
+    match format {
+        Format::Text => {
+            let lines = opened
+                .job
+                .recorded
+                .iter()
+                .map(|recorded| format!("{:3}  {}\n", recorded.number, line(recorded)));
+            let places = opened.places().map(|place| opened.position(place) + "\n");
+            print(lines.chain(places).collect::<String>() + "\n" + &test.text())?;
+        }
+        Format::Json => print_json(&test.document())?,
+    }
+    test.status()
+}
+
+/// The method on a synthesised recording: from the sound to the height of the first rebound.
+fn method_check() -> Result<MethodCheck, Failure> {
+    let history = demo::history()?;
+    let sound = demo::sound(&history, 1)?;
+    let mut options = demo::settings().resolve()?.options;
+    options.inference = None;
+    let recording = bouncelab::analyze(&sound.samples, sound.sample_rate_hz, &options)?;
+    let place = vec![recording.drops.iter().collect()];
+    let rule = Rule::new("check", "check of the method", demo::DROP_HEIGHT_M);
+    let nothing = Conditions::default();
+    let verdict = rulebook::judge(&rule, &options, &nothing, &place, &[], Decision::default())?;
+    Ok(MethodCheck {
+        truth_m: history
+            .bounces()
+            .first()
+            .map_or(0.0, |bounce| bounce.flight.apex_m),
+        found_m: verdict.drops.first().and_then(|drop| drop.height_m),
+    })
+}
+
+/// A recording in one line.
+fn line(recorded: &Recorded) -> String {
+    let place = if recorded.place == 0 {
+        text("verdict-item-reference")
+    } else {
+        text_with("job-place-name", &[("place", recorded.place.into())])
+    };
+    let file = String::from(Plain::path(&recorded.file));
+    let repeated = recorded
+        .repeated
+        .as_ref()
+        .map_or_else(String::new, |reason| {
+            let reason = String::from(Plain::of(reason));
+            format!(
+                " ({})",
+                text_with("job-repeated", &[("reason", reason.into())])
+            )
+        });
+    format!(
+        "{file}  {place}  {}  {}{repeated}",
+        recorded.given_as, recorded.added
+    )
+}
