@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use bouncelab::Plain;
 use clap::Args;
 
 use crate::failure::Failure;
@@ -37,7 +38,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let of = [
         ("files", files.len().into()),
-        ("folder", folder.display().to_string().into()),
+        ("folder", String::from(Plain::path(folder)).into()),
     ];
     print(format_args!("{}\n", text_with("page-written", &of)))?;
     Ok(())
@@ -61,18 +62,15 @@ mod tests {
             folder: folder.clone(),
         };
         let written = run(&arguments);
-        match serve::files() {
-            Ok(files) => {
-                written.unwrap();
-                for (name, content) in files {
-                    assert_eq!(fs::read(folder.join(&name)).unwrap(), content, "{name}");
-                }
-            }
-            Err(_) => {
-                let reason = written.unwrap_err().to_string();
-                assert!(reason.contains("cargo xtask web"), "{reason}");
-                assert!(!folder.exists());
-            }
+        let Ok(files) = serve::files() else {
+            let reason = written.unwrap_err().to_string();
+            assert!(reason.contains("cargo xtask web"), "{reason}");
+            assert!(!folder.exists());
+            return;
+        };
+        written.unwrap();
+        for (name, content) in files {
+            assert_eq!(fs::read(folder.join(&name)).unwrap(), content, "{name}");
         }
     }
 }

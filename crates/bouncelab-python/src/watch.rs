@@ -56,7 +56,12 @@ pub(crate) fn interruptible<T: Send + 'static>(
     loop {
         match result.recv_timeout(PERIOD) {
             Ok(done) => return Ok(done),
-            Err(RecvTimeoutError::Timeout) => Python::attach(|py| py.check_signals())?,
+            Err(RecvTimeoutError::Timeout) => {
+                Python::attach(|py| {
+                    py.check_signals()?;
+                    PyResult::Ok(())
+                })?;
+            }
             Err(RecvTimeoutError::Disconnected) => match thread.join() {
                 Err(panic) => resume_unwind(panic),
                 Ok(()) => unreachable!("a thread that ends sends its result or panics"),

@@ -16,7 +16,7 @@ use std::iter::successors;
 use std::path::{Path, PathBuf};
 
 use bouncelab::Options;
-use bouncelab::drag::{DragLaw, DragTable};
+use bouncelab::drag::DragLaw;
 use bouncelab::flight::FlightModel;
 use bouncelab::gravity;
 use bouncelab::impact::ImpactEvent;
@@ -38,15 +38,13 @@ pub fn write_wav(
 }
 
 /// The drag of a smooth sphere by the formula of Clift and Gauvin (1971), as a table up to a Reynolds number of 1e5.
+///
+/// # Panics
+/// Never.
 pub fn clift_gauvin() -> DragLaw {
-    let points = [
-        (100.0, 1.0938),
-        (1000.0, 0.4662),
-        (6200.0, 0.3937),
-        (2e4, 0.4559),
-        (1e5, 0.4918),
-    ];
-    DragLaw::Table(DragTable::new(&points).expect("five points"))
+    "table:100=1.0938,1000=0.4662,6200=0.3937,20000=0.4559,100000=0.4918"
+        .parse()
+        .expect("a drag table")
 }
 
 /// Flights of a table-tennis ball under this drag law, in ordinary air with buoyancy and added mass, with 9.81 m/s².

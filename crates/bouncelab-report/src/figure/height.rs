@@ -26,13 +26,12 @@ pub(super) fn of_drop(input: &FigureInput<'_>, translator: &Translator) -> Chart
 /// Height against time as measured, over the drop that the posterior describes or a simulation of the reader.
 pub(super) fn comparison(input: &FigureInput<'_>, translator: &Translator) -> Chart {
     let text = |id: &str| translator.text(&format!("figure-comparison-{id}"));
-    let (name, points, band) = match input.simulation {
-        Some(points) => (text("simulation"), points.to_vec(), Vec::new()),
-        None => {
-            let simulated = input.drop.simulated_history(input.settings);
-            let SimulatedHistory { points, band, .. } = simulated.unwrap_or_default();
-            (text("best-fit"), points, band)
-        }
+    let (name, points, band) = if let Some(points) = input.simulation {
+        (text("simulation"), points.to_vec(), Vec::new())
+    } else {
+        let simulated = input.drop.simulated_history(input.settings);
+        let SimulatedHistory { points, band, .. } = simulated.unwrap_or_default();
+        (text("best-fit"), points, band)
     };
     let measured = input.drop.height_history(input.settings).points;
     let curves = [
