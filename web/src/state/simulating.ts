@@ -135,7 +135,9 @@ const SCENE: SceneRequest = {
 
 export async function playRun(): Promise<void> {
   const { samples, sampleRateHz } = await engine().synthesise(requestOf(setup.peek()), SCENE);
-  dropped.value = performance.now() + 1000 * SCENE.lead_in_s;
+  // The sound begins before the release, the curve with the first impact.
+  const fallS = outcome.peek()?.simulated.simulations[0]?.bounces[0]?.time_s ?? 0;
+  dropped.value = performance.now() + 1000 * (SCENE.lead_in_s + fallS);
   await play(samples, sampleRateHz, 0, 1);
 }
 

@@ -10,5 +10,9 @@ export function media(query: string): ReadonlySignal<boolean> {
   return matches;
 }
 
-/** Whether it is used with a finger: what is said of taps and of the phone follows from it. */
-export const handheld = globalThis.matchMedia?.('(pointer: coarse)').matches ?? false;
+const matches = (query: string): boolean => globalThis.matchMedia?.(query).matches ?? false;
+
+/** Whether it is used with a finger. */
+export const touched = matches('(pointer: coarse)');
+/** Whether it is a phone, and no tablet. */
+export const isPhone = matches('(pointer: coarse) and (max-width: 47.99rem)');

@@ -29,6 +29,7 @@ page-app-unreadable-link = Einiges an den Einstellungen in der Adresse war nicht
 
 page-lab-invite = Lass einen Ball neben dem Mikrofon fallen.
 page-lab-invite-touch = Lass einen Ball neben dem Handy fallen.
+page-lab-lead = Die Zeiten zwischen den Aufprallen verraten, wie viel Tempo und Energie der Ball behält und aus welcher Höhe er fiel.
 page-lab-listen = Zuhören
 page-lab-stop = Stopp
 page-lab-again = Noch einmal zuhören

@@ -31,6 +31,7 @@ page-app-unreadable-link = Some settings in the address are not valid and were i
 
 page-lab-invite = Drop a ball near your microphone.
 page-lab-invite-touch = Drop a ball near your phone.
+page-lab-lead = The times between the bounces tell how much of its speed and energy the ball keeps, and from how high it fell.
 page-lab-listen = Listen
 page-lab-stop = Stop
 page-lab-again = Listen again

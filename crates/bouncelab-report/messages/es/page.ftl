@@ -29,6 +29,7 @@ page-app-unreadable-link = Algunos ajustes de la dirección no son válidos y no
 
 page-lab-invite = Deja caer una pelota cerca de tu micrófono.
 page-lab-invite-touch = Deja caer una pelota cerca de tu teléfono.
+page-lab-lead = Los tiempos entre los rebotes dicen cuánta velocidad y energía conserva la pelota, y desde qué altura cayó.
 page-lab-listen = Escuchar
 page-lab-stop = Parar
 page-lab-again = Escuchar otra vez

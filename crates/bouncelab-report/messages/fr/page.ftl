@@ -29,6 +29,7 @@ page-app-unreadable-link = Certains réglages de l’adresse ne sont pas valable
 
 page-lab-invite = Faites tomber une balle près de ton microphone.
 page-lab-invite-touch = Faites tomber une balle près de ton téléphone.
+page-lab-lead = Les durées entre les rebonds disent combien de vitesse et d’énergie la balle garde, et de quelle hauteur elle est tombée.
 page-lab-listen = Écouter
 page-lab-stop = Arrêter
 page-lab-again = Écouter encore

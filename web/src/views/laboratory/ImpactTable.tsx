@@ -24,7 +24,7 @@ export function ImpactTable() {
           {workspace.value?.pyramid && (
             <div class="small soft">
               <p>{text('page-wave-pointer')}</p>
-              <p>{text('page-wave-keys')}</p>
+              <p class="mouse">{text('page-wave-keys')}</p>
             </div>
           )}
           <section class="impacts" tabIndex={0} aria-label={text('page-wave-list')}>

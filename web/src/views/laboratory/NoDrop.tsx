@@ -1,5 +1,5 @@
 import { analysed, workspace } from '../../state/workspace.ts';
-import { handheld } from '../../style/media.ts';
+import { touched } from '../../style/media.ts';
 import { text } from '../../text/language.ts';
 
 /** Why there is no drop, and what to do about it. */
@@ -12,7 +12,7 @@ export function NoDrop() {
       </p>
       {reason && <p>{reason}</p>}
       {workspace.value?.pyramid && (
-        <p>{text(handheld ? 'page-lab-no-drop-hint-touch' : 'page-lab-no-drop-hint')}</p>
+        <p>{text(touched ? 'page-lab-no-drop-hint-touch' : 'page-lab-no-drop-hint')}</p>
       )}
     </div>
   );

@@ -1,6 +1,6 @@
 import { decide, offered, resetUnusual, settings, unusualOf } from '../../state/settings.ts';
 import { text } from '../../text/language.ts';
-import { statedInWords } from '../../text/setup.ts';
+import { statedInWords } from './set-up-words.ts';
 
 /** What a link states and the reader did not, and what of the set-up few drops have, each with the way out. */
 export function SetUp() {

@@ -1,5 +1,5 @@
 import { lesson } from '../../state/lesson.ts';
-import { handheld } from '../../style/media.ts';
+import { isPhone } from '../../style/media.ts';
 import { text } from '../../text/language.ts';
 import { AtRest } from './AtRest.tsx';
 import { ListenButton } from './ListenButton.tsx';
@@ -14,7 +14,8 @@ import { Troubles } from './Troubles.tsx';
 export function Welcome() {
   return (
     <div class="welcome">
-      <h1>{handheld ? text('page-lab-invite-touch') : text('page-lab-invite')}</h1>
+      <h1>{isPhone ? text('page-lab-invite-touch') : text('page-lab-invite')}</h1>
+      <p class="soft">{text('page-lab-lead')}</p>
       <ListenButton />
       <Pupil />
       <OtherWays />
