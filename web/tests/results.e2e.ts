@@ -120,6 +120,8 @@ const LEAKS: readonly [string, (page: Page) => Promise<void>][] = [
       await settled(page);
       await keepAs(page, 'Anna');
       await follow(page, 'Drops');
+      // With an empty workspace: what is seen then is the drop that was opened.
+      await page.reload();
       await page.getByRole('button', { name: 'Open Anna' }).click();
       await page.getByText(/^Analysed with: Drop height/).waitFor();
     },

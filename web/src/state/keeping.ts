@@ -42,9 +42,15 @@ export function tick(id: string): void {
   ticked.value = next;
 }
 
+/** Counts the changes of kept drops: what was read before one of them is old. */
+let changes = 0;
+
 export async function loadKept(): Promise<void> {
   try {
-    kept.value = await allDrops();
+    const seen = changes;
+    const found = await allDrops();
+    if (seen !== changes) return await loadKept();
+    kept.value = found;
     canKeep.value = true;
     await lookAtLasting();
   } catch {
@@ -116,11 +122,12 @@ export async function rescue(): Promise<void> {
 type Labels = Partial<Pick<KeptDrop, 'name' | 'student' | 'surface'>>;
 
 /** Changes a kept drop. */
-export async function alter(id: string, changes: Labels | Partial<Measured>): Promise<void> {
+export async function alter(id: string, labels: Labels | Partial<Measured>): Promise<void> {
   const found = kept.peek().find((candidate) => candidate.id === id);
   if (!found) return;
-  const altered = { ...found, ...changes };
+  const altered = { ...found, ...labels };
   await putDrop(altered);
+  changes += 1;
   kept.value = kept.peek().map((candidate) => (candidate.id === id ? altered : candidate));
 }
 
