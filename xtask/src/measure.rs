@@ -57,7 +57,7 @@ pub(crate) const PROGRAMS: [Program; 8] = [
     Program {
         name: "sessions",
         arguments: "[STUDIES]",
-        about: "Measure whether the intervals of sessions hold; print docs/tables/sessions.txt",
+        about: "Measure whether the intervals of sessions hold; print the table",
     },
 ];
 

@@ -19,6 +19,8 @@
 //! line for each drop besides.
 
 use bouncelab::analysis::Drop;
+use bouncelab::groups::{Asked, CurveEvidence, Study, StudyDrop};
+use bouncelab::inference::Measured as Stated;
 use bouncelab::regression::height_of_flight_m;
 use bouncelab::settings::{AirSettings, Settings};
 use bouncelab::{Estimate, Options, analyze_times};
@@ -45,6 +47,8 @@ struct Found {
     without_air: Option<Estimate>,
     /// g T1⁴/(8 T2²), which takes the first two impacts to keep the same share.
     of_two_flights_m: f64,
+    /// What the drop adds to a study if the tape is not stated, and if it is.
+    evidence: [Option<(Estimate, CurveEvidence)>; 2],
     /// Whether the drop without its first impact fell from the apex of its first flight, which needs no tape.
     without_first: Option<Held>,
 }
@@ -97,6 +101,7 @@ pub(crate) fn run(arguments: &[String]) -> Result {
     }
     report_coverage(&all);
     report_offsets(&all);
+    report_studies(&all);
     Ok(())
 }
 
@@ -160,7 +165,14 @@ fn found(drop: &Measured) -> Result<Found> {
         ..AirSettings::default()
     };
     let height_m = |drop: &Drop| Some(drop.posterior.as_ref().ok()?.drop_height_m);
+    let evidence = |drop: &Drop| Some((height_m(drop)?, drop.posterior.as_ref().ok()?.evidence()?));
     let (in_air, options) = analysed(&settings)?;
+    let mut with_tape = options.clone();
+    with_tape.priors.drop_height_m = Some(Stated {
+        value: drop.tape_m,
+        sd: RULER_SD_M,
+    });
+    let with_tape = analyze_times(&times_s, &with_tape).drops.pop();
     let (in_vacuum, _) = analysed(&Settings { air, ..settings })?;
     let [first_s, second_s] = [drop.flights_s[0], drop.flights_s[1]];
     Ok(Found {
@@ -168,6 +180,7 @@ fn found(drop: &Measured) -> Result<Found> {
         without_air: height_m(&in_vacuum),
         of_two_flights_m: height_of_flight_m(first_s, options.environment.gravity_m_s2)
             * (first_s / second_s).powi(2),
+        evidence: [evidence(&in_air), with_tape.as_ref().and_then(evidence)],
         without_first: of_cut(&in_air, 1, &options),
     })
 }
@@ -263,6 +276,74 @@ fn report_offsets(all: &[(&Measured, Found)]) {
             drops.len()
         );
     }
+}
+
+/// All drops of a ball as one study, the tape stated or not.
+fn report_studies(all: &[(&Measured, Found)]) {
+    println!(
+        "\n| ball | tape | drops | named | restitution | between drops, % | zero of the tape, mm | in 95 % alone | in the study | \
+         tape ± 2 mm | median sd alone, mm | in the study |"
+    );
+    println!("|---|---|--:|--:|---|---|---|--:|--:|--:|--:|--:|");
+    for (ball, drops) in by_ball(all) {
+        for (number, tape) in ["not stated", "stated"].into_iter().enumerate() {
+            let of_tape = drops.iter().filter_map(|(drop, found)| {
+                let (alone, evidence) = found.evidence[number].clone()?;
+                Some((drop.tape_m, alone, evidence))
+            });
+            let of_tape: Vec<(f64, Estimate, CurveEvidence)> = of_tape.collect();
+            let studied = of_tape.iter().map(|(_, _, evidence)| StudyDrop {
+                evidence: evidence.clone(),
+                scatter: None,
+                levels: Vec::new(),
+            });
+            if ball != "all"
+                && let Ok(study) = Study::of(&studied.collect::<Vec<_>>(), &Asked::default())
+            {
+                println!("| {ball} | {tape} | {} |", of_study(&study, &of_tape));
+            }
+        }
+    }
+}
+
+/// The cells of a study of drops with their tapes and their heights by themselves.
+fn of_study(study: &Study, drops: &[(f64, Estimate, CurveEvidence)]) -> String {
+    let group = &study.groups[0];
+    let heights = drops.iter().zip(&study.drops);
+    let heights: Vec<(f64, Estimate, Estimate)> = heights
+        .filter_map(|((tape_m, alone, _), drop)| Some((*tape_m, *alone, drop.as_ref()?.height_m?)))
+        .collect();
+    let percent = |is_in: &dyn Fn(&(f64, Estimate, Estimate)) -> bool| {
+        100 * heights.iter().filter(|it| is_in(it)).count() / heights.len().max(1)
+    };
+    let median_mm = |sd: fn(&(f64, Estimate, Estimate)) -> f64| {
+        let mut sds: Vec<f64> = heights.iter().map(sd).collect();
+        sds.sort_by(f64::total_cmp);
+        1e3 * sds[sds.len() / 2]
+    };
+    let zero = study.ruler_zero_m.map_or(String::new(), |zero| {
+        let [low, high] = zero.interval95.map(|end| 1e3 * end);
+        format!("{:+.1} ({low:+.1} to {high:+.1})", 1e3 * zero.value)
+    });
+    let restitution = group.restitution.map_or(String::new(), |restitution| {
+        let at = study.at_speed_m_s;
+        format!(
+            "{:.4} ± {:.4} at {at} m/s",
+            restitution.value, restitution.sd
+        )
+    });
+    let [low, high] = group.between_drops.interval95.map(|end| 100.0 * end);
+    format!(
+        "{} | {} | {restitution} | {:.2} ({low:.2} to {high:.2}) | {zero} | {} | {} | {} | {:.1} | {:.1}",
+        group.count,
+        study.outliers.len(),
+        100.0 * group.between_drops.value,
+        percent(&|(tape_m, alone, _)| Held::of(alone, *tape_m).in95),
+        percent(&|(tape_m, _, studied)| Held::of(studied, *tape_m).in95),
+        percent(&|(tape_m, _, studied)| Held::within(studied, *tape_m, RULER_SD_M).in95),
+        median_mm(|(_, alone, _)| alone.sd),
+        median_mm(|(_, _, studied)| studied.sd),
+    )
 }
 
 /// The mean and its standard error by the scatter of the values.

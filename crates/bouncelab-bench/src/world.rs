@@ -13,7 +13,7 @@ use rand_distr::StandardNormal;
 const AIR_KG_M3: f64 = 1.20;
 const AIR_M2_S: f64 = 1.51e-5;
 /// Middle latitudes, m/s²; the library assumes 9.80665.
-const GRAVITY_M_S2: f64 = 9.81;
+pub(crate) const GRAVITY_M_S2: f64 = 9.81;
 
 pub(crate) fn normal(rng: &mut ChaCha8Rng) -> f64 {
     rng.sample(StandardNormal)
@@ -36,6 +36,7 @@ pub(crate) struct Sphere {
     pub(crate) diameter_m: f64,
     /// Its drag over that of a smooth sphere; 0 for a fall without air.
     pub(crate) drag: f64,
+    pub(crate) gravity_m_s2: f64,
 }
 
 /// Height above the surface, m, and speed upwards, m/s.
@@ -45,7 +46,7 @@ impl Sphere {
     /// (m + ρV/2) dv/dt = -(m - ρV) g - ρ A c |v| v/2: weight, buoyancy, added mass of potential flow, drag.
     fn acceleration_m_s2(&self, speed_m_s: f64) -> f64 {
         if self.drag == 0.0 {
-            return -GRAVITY_M_S2;
+            return -self.gravity_m_s2;
         }
         let displaced_kg = AIR_KG_M3 * PI / 6.0 * self.diameter_m.powi(3);
         let area_m2 = PI / 4.0 * self.diameter_m.powi(2);
@@ -57,7 +58,7 @@ impl Sphere {
             * coefficient(reynolds)
             * speed_m_s.abs()
             * speed_m_s;
-        let weight_n = (self.mass_kg - displaced_kg) * GRAVITY_M_S2;
+        let weight_n = (self.mass_kg - displaced_kg) * self.gravity_m_s2;
         -(weight_n + drag_n) / (self.mass_kg + 0.5 * displaced_kg)
     }
 
@@ -94,13 +95,13 @@ impl Sphere {
 
     /// Time and impact speed of a fall from rest.
     pub(crate) fn fall(&self, height_m: f64) -> (f64, f64) {
-        let without_air_s = (2.0 * height_m / GRAVITY_M_S2).sqrt();
+        let without_air_s = (2.0 * height_m / self.gravity_m_s2).sqrt();
         self.landing([height_m, 0.0], without_air_s / STEPS)
     }
 
     /// Time and impact speed of a flight that begins upwards at this speed.
     pub(crate) fn flight(&self, launch_m_s: f64) -> (f64, f64) {
-        let without_air_s = 2.0 * launch_m_s / GRAVITY_M_S2;
+        let without_air_s = 2.0 * launch_m_s / self.gravity_m_s2;
         self.landing([0.0, launch_m_s], without_air_s / STEPS)
     }
 }
@@ -278,6 +279,7 @@ impl World {
                 mass_kg,
                 diameter_m,
                 drag,
+                gravity_m_s2: GRAVITY_M_S2,
             },
             law: Law::ordinary(between(kind.restitution, rng), rng),
             contact_s: log_between(kind.contact_s, rng),
@@ -363,6 +365,7 @@ mod tests {
         mass_kg: 2.7e-3,
         diameter_m: 0.04,
         drag: 1.0,
+        gravity_m_s2: GRAVITY_M_S2,
     };
 
     #[test]

@@ -326,11 +326,11 @@ fn percent_interval(scatter: &Estimate, translator: &Translator) -> String {
 }
 
 fn probability(probability: f64, translator: &Translator) -> String {
-    const LEAST: f64 = 1e-4;
-    if probability < LEAST {
-        format!("< {}", translator.fixed(LEAST, 4))
-    } else if probability > 1.0 - LEAST {
-        format!("> {}", translator.fixed(1.0 - LEAST, 4))
+    const MIN_SHOWN: f64 = 1e-4;
+    if probability < MIN_SHOWN {
+        format!("< {}", translator.fixed(MIN_SHOWN, 4))
+    } else if probability > 1.0 - MIN_SHOWN {
+        format!("> {}", translator.fixed(1.0 - MIN_SHOWN, 4))
     } else {
         translator.fixed(probability, 4)
     }

@@ -18,8 +18,8 @@ pub(super) type Shared = SVector<f64, SHARED_INPUTS>;
 
 /// Means of the exponential priors of the relative scatters of drops, and of operators: they exceed 4.6 times this once in a
 /// hundred times (the penalised complexity prior of Simpson et al., Stat. Sci. 32, 1, 2017).
-const DROPS: f64 = 0.01;
-const EFFECTS: f64 = 0.002;
+const MEAN_BETWEEN_DROPS: f64 = 0.01;
+const MEAN_BETWEEN_OPERATORS: f64 = 0.002;
 
 /// Scatter of operators while nothing is known of it, relative.
 const FREE_EFFECT: f64 = 0.05;
@@ -198,9 +198,9 @@ impl Effects {
     ) -> (Vec<(f64, Self)>, Vec<Estimate>) {
         /// Scatters of a factor.
         const STEPS: usize = 20;
-        const LEAST: f64 = 1e-5;
+        const MIN_SCATTER: f64 = 1e-5;
         const STEP: f64 = 0.5;
-        let sd_of = |step: usize| LEAST * (STEP * step as f64).exp();
+        let sd_of = |step: usize| MIN_SCATTER * (STEP * step as f64).exp();
         let effects = frame.factors.len();
         let (mut precision, mut pull) = (DMatrix::zeros(effects, effects), DVector::zeros(effects));
         for group in groups {
@@ -219,7 +219,10 @@ impl Effects {
                 .collect();
             if let Some((effects, log)) = Self::new(&precision, &pull, &of_effect) {
                 // Steps are even in the logarithm.
-                let prior: f64 = of_factor.iter().map(|sd| sd.ln() - sd / EFFECTS).sum();
+                let prior: f64 = of_factor
+                    .iter()
+                    .map(|sd| sd.ln() - sd / MEAN_BETWEEN_OPERATORS)
+                    .sum();
                 found.push(effects);
                 logs.push(log + prior);
                 sds.push(of_factor);
@@ -268,11 +271,11 @@ impl GroupFit {
             .collect();
         let mut fine: Vec<f64> = (0..steps)
             .map(|step| {
-                let prior = values[step].ln() - values[step] / DROPS;
+                let prior = values[step].ln() - values[step] / MEAN_BETWEEN_DROPS;
                 between(&logs[1..], step / FINE, (step % FINE) as f64 / FINE as f64) + prior
             })
             .collect();
-        // Below the least scatter there is the rest: its width over that of a step.
+        // Below the smallest scatter there is the rest: its width over that of a step.
         fine[0] = logs[0] + values[0].ln() - (SCATTER_STEP / FINE as f64).ln();
         let fine = weights(&fine);
         let mut coarse = vec![0.0; SCATTERS];

@@ -65,11 +65,11 @@ impl Mixture {
     }
 
     fn quantile(&self, share: f64) -> f64 {
-        /// Farther than this from the mean of a component there is nothing of it.
-        const FAR: f64 = 8.0;
+        /// Standard deviations from the mean beyond which a component has no weight.
+        const REACH: f64 = 8.0;
         const HALVINGS: usize = 30;
         let end =
-            |side: f64| move |[_, mean, variance]: &[f64; 3]| mean + side * FAR * variance.sqrt();
+            |side: f64| move |[_, mean, variance]: &[f64; 3]| mean + side * REACH * variance.sqrt();
         let mut low = self.0.iter().map(end(-1.0)).fold(f64::INFINITY, f64::min);
         let mut high = self
             .0

@@ -10,7 +10,7 @@ use crate::stats::{median, robust_sd, sort_by_number};
 pub const OUTLIER_THRESHOLD: f64 = 3.5;
 
 /// In a group of two both are equally odd.
-const FEWEST: usize = 3;
+const MIN_DROPS: usize = 3;
 
 /// A drop that lies far from its group.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,7 +47,7 @@ pub fn outliers(drops: &[Measured], group: &[usize]) -> Vec<Outlier> {
     for (drop, &group) in group.iter().enumerate().take(drops.len()) {
         members.entry(group).or_default().push(drop);
     }
-    members.retain(|_, drops| drops.len() >= FEWEST);
+    members.retain(|_, drops| drops.len() >= MIN_DROPS);
     let mut off = vec![None; drops.len()];
     let mut deviations = Vec::new();
     for of_group in members.values() {

@@ -139,8 +139,10 @@ pub struct Compared {
 pub struct FittedDrop {
     /// Its group, by its place.
     pub group: usize,
-    /// ln e of the drop above that of its group, whatever the speed, with the error of the drop alone.
+    /// ln e of the drop above that of its group and operators, whatever the speed, with the error of the drop alone.
     pub off: Measured,
+    /// ln e of its operators above that of the group.
+    pub of_operators: f64,
     /// Its drop height, m, if it tells one.
     pub height_m: Option<Estimate>,
 }
@@ -207,12 +209,12 @@ impl Study {
         Ok(fitting.study(asked, at_speed_m_s, &ranges))
     }
 
-    /// Restitution of a drop at the speed of the study, by its level, with its own error; `None` if its group does not have
-    /// that speed.
+    /// Restitution of a drop at the speed of the study, by its level and that of its operators, with its own error; `None` if
+    /// its group does not have that speed.
     pub fn restitution_of(&self, drop: usize) -> Option<Measured> {
         let fitted = self.drops[drop]?;
         let group = self.groups[fitted.group].restitution?;
-        let value = group.value * fitted.off.value.exp();
+        let value = group.value * (fitted.off.value + fitted.of_operators).exp();
         Some(Measured {
             value,
             sd: value * fitted.off.sd,
@@ -365,12 +367,13 @@ impl<'a> Fitting<'a> {
             })
             .collect();
         let odd: BTreeSet<usize> = outliers.iter().map(|outlier| outlier.drop).collect();
-        let drops = fitted.iter().zip(found_heights).map(|(fitted, height_m)| {
-            let (group, off) = (*fitted)?;
+        let drops = (0..fitted.len()).map(|place| {
+            let (group, off) = fitted[place]?;
             Some(FittedDrop {
                 group,
                 off,
-                height_m,
+                of_operators: self.of_operators(place),
+                height_m: found_heights[place],
             })
         });
         Study {
@@ -402,24 +405,25 @@ impl<'a> Fitting<'a> {
         &best.1
     }
 
-    /// The level of a drop above that of its group and operator: that of its readings v - X β - a o - L z, by least squares.
+    /// The level of the operators of a drop above that of its group.
+    fn of_operators(&self, place: usize) -> f64 {
+        let effects = &self.likeliest_effects().mean;
+        self.effects_of[place].iter().map(|&it| effects[it]).sum()
+    }
+
+    /// The level of a drop above that of its group and operators: that of its readings v - X β - a o - L z, by least squares.
     fn off(&self, group: usize, place: usize) -> Measured {
         let rows = Rows::new(&self.frame.basis, &self.drops[place].evidence);
         let len = self.frame.basis.len();
         let along = rows.table.tr_mul(&rows.level);
         let linear = self.groups[group].likeliest_linear(&along.rows(0, len).into_owned());
-        let effects = &self.likeliest_effects().mean;
-        let of_effects: f64 = self.effects_of[place]
-            .iter()
-            .map(|&effect| effects[effect])
-            .sum();
         let of_inputs = along
             .fixed_rows::<SHARED_INPUTS>(len)
             .dot(&self.inputs[group].mean);
-        let of_curve = linear.mean + linear.by_effects.dot(effects);
+        let of_curve = linear.mean + linear.by_effects.dot(&self.likeliest_effects().mean);
         Measured {
             value: (along[len + SHARED_INPUTS] - of_curve - of_inputs) / rows.precision()
-                - of_effects,
+                - self.of_operators(place),
             sd: rows.precision().sqrt().recip(),
         }
     }

@@ -14,7 +14,7 @@ const SLOPE: f64 = 0.3;
 
 /// Scatters between drops, relative, at which sums are kept: zero, and then each larger by [`SCATTER_STEP`].
 pub(super) const SCATTERS: usize = 33;
-/// The least of them above zero.
+/// The smallest of them above zero.
 const MIN_SCATTER: f64 = 1e-5;
 /// ln of the factor between neighbours.
 pub(super) const SCATTER_STEP: f64 = 0.335;
