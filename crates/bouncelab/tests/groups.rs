@@ -3,7 +3,7 @@
 use bouncelab::groups::{Asked, CurveEvidence, Study, StudyDrop, drops_needed, outliers};
 use bouncelab::inference::Measured;
 use bouncelab::restitution::LawKind;
-use bouncelab::{Options, analyze_times};
+use bouncelab::{Options, analyze_times, ball};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
@@ -299,6 +299,25 @@ fn one_drop_tells_its_own_curve() {
         (height_m.value - own.value).abs() < 0.5 * own.sd,
         "{own:?} {height_m:?}"
     );
+}
+
+/// Drops of five impacts, whose law has coordinates that do not move the curve, tell it too.
+#[test]
+fn few_impacts_tell_a_curve() {
+    let options = Options::new(ball::preset("tennis").unwrap().known);
+    for times_s in [
+        [0.0, 0.546, 0.957, 1.265, 1.496],
+        [0.0, 0.548, 0.955, 1.266, 1.498],
+        [0.0, 0.402, 0.701, 0.929, 1.097],
+    ] {
+        let posterior = analyze_times(&times_s, &options).drops.remove(0).posterior;
+        let evidence = posterior.unwrap().evidence().expect("evidence");
+        assert!(evidence.is_usable() && evidence.height.is_some());
+        // The restitution of the middle flights is about 0.75.
+        let study = studied(vec![evidence], |_| Vec::new(), &Asked::default());
+        let found = study.groups[0].restitution.unwrap();
+        assert!(holds(found.interval95, 0.75) && found.sd < 0.1, "{found:?}");
+    }
 }
 
 /// One drop says little of the next one of its kind, and nothing says nothing.

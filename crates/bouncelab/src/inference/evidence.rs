@@ -21,6 +21,9 @@ const POINTS: usize = 3;
 /// Impacts whose speeds differ by a smaller factor say nothing of a slope.
 const MIN_RANGE: f64 = 1.05;
 
+/// Coordinates of the law that move the curve by less than the root of this, compared with ln e*, do not move it.
+const MIN_EFFECT: f64 = 1e-10;
+
 /// An input that varies less than this has no uncertainty.
 const MIN_VARIANCE: f64 = 1e-6;
 
@@ -147,13 +150,29 @@ impl Drawn {
         self.coordinates + SHARED_INPUTS
     }
 
-    /// The coordinates of the law that fits a curve best at the speeds, by least squares: with ln e = A x, (A' A)⁻¹ A'.
+    /// The coordinates of the law that fits a curve best at the speeds, by least squares: with ln e = A x, (A' A)⁺ A'. Where
+    /// few impacts have nearly the speed v*, a coordinate may not move the curve; then it is zero.
     fn to_law(&self) -> Option<DMatrix<f64>> {
         let of_law: Vec<usize> = (0..self.coordinates).collect();
         let of_curve: Vec<usize> = (self.curve()..self.curve() + self.speeds_m_s.len()).collect();
         let law = Cholesky::new(self.covariances(&of_law, &of_law))?;
         let by_law = law.solve(&self.covariances(&of_law, &of_curve)).transpose();
-        Some(Cholesky::new(by_law.tr_mul(&by_law))?.solve(&by_law.transpose()))
+        let squares = SymmetricEigen::new(by_law.tr_mul(&by_law));
+        let negligible = MIN_EFFECT * squares.eigenvalues.max();
+        let inverse = squares.eigenvalues.map(|square| {
+            if square > negligible {
+                1.0 / square
+            } else {
+                0.0
+            }
+        });
+        let directions = squares.eigenvectors;
+        Some(
+            &directions
+                * DMatrix::from_diagonal(&inverse)
+                * directions.transpose()
+                * by_law.transpose(),
+        )
     }
 
     fn readings(&self, effective_draws: f64) -> Option<Vec<Reading>> {
