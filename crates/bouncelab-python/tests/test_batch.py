@@ -175,6 +175,50 @@ def test_what_fails_becomes_a_row_and_harms_no_other(folder: Path, tmp_path: Pat
     assert found["abort.wav"]["content_sha256"] == found["a.wav"]["content_sha256"]
 
 
+def test_dask_analyses_partitions(folder: Path, tmp_path: Path) -> None:
+    pandas, dask = pytest.importorskip("pandas"), pytest.importorskip("dask.dataframe")
+    kernel = batch.kernel(SETTINGS, root=folder)
+    table = recordings(folder)
+    frame = dask.from_pandas(pandas.DataFrame(table.to_pydict()), npartitions=3)
+    found = frame.map_partitions(kernel.pandas, meta=kernel.pandas(frame.head(0)))
+    found.to_parquet(tmp_path / "rows", schema=kernel.schema, write_index=False)
+    assert batch.study(tmp_path / "rows") == batch.study(written(rows(table, kernel), tmp_path))
+
+
+def written(found: pyarrow.Table, folder: Path) -> Path:
+    parquet.write_table(found, folder / "alone.parquet")
+    return folder / "alone.parquet"
+
+
+def test_recordings_are_read_from_an_object_store(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A server of S3 on this machine; what is not there becomes a row."""
+    server, s3fs = pytest.importorskip("moto.server"), pytest.importorskip("s3fs")
+    started = server.ThreadedMotoServer(ip_address="127.0.0.1", port=0)
+    started.start()
+    try:
+        host, port = started.get_host_and_port()
+        for name, value in {"ENDPOINT_URL": f"http://{host}:{port}", "ACCESS_KEY_ID": "a", "SECRET_ACCESS_KEY": "b"}.items():
+            monkeypatch.setenv(f"AWS_{name}", value)
+        monkeypatch.setenv("AWS_DEFAULT_REGION", "us-east-1")
+        store = s3fs.S3FileSystem(skip_instance_cache=True)
+        store.mkdir("bucket")
+        table = recordings(folder)
+        for path in table["path"].to_pylist():
+            store.put(path, f"bucket/drops/{Path(path).relative_to(folder)}")
+        store.pipe("bucket/drops/.hidden.wav", b"left out")
+        count = batch.manifest("s3://bucket/drops", tmp_path / "manifest.parquet")
+        listed = parquet.read_table(tmp_path / "manifest.parquet")
+        assert count == len(listed) == len(table)
+        of_store = rows(listed, batch.kernel(SETTINGS, root="s3://bucket/drops"))
+        assert of_store.sort_by("recording") == rows(table, batch.kernel(SETTINGS, root=folder)).sort_by("recording")
+        missing = rows(pyarrow.table({"path": ["s3://bucket/nothing.wav"]}), batch.kernel(SETTINGS))
+        assert missing["failure"].to_pylist()[0]["code"] == "unreadable"
+    finally:
+        started.stop()
+
+
 def test_results_of_different_settings_are_not_mixed(folder: Path, results: Path, tmp_path: Path) -> None:
     other = rows(recordings(folder)[:1], batch.kernel({"draws": None}, root=folder))
     parquet.write_table(other, tmp_path / "other.parquet")

@@ -61,6 +61,14 @@ def fetched(url: str) -> bytes:
     return read
 
 
+def files_at(url: str) -> dict[str, str]:
+    """Return the files in a folder at a URL: their own URLs by their names relative to it."""
+    files, place = _of_url(url)
+    with _told(url):
+        start = len(place.rstrip("/")) + 1
+        return {path[start:]: files.unstrip_protocol(path) for path in files.find(place)}
+
+
 def _of_url(url: str) -> tuple[Any, str]:
     """Return the file system of fsspec for a URL, and the path there."""
     with _told(url):
@@ -77,5 +85,6 @@ def _told(url: str) -> Iterator[None]:
         raise
     except FileNotFoundError as reason:
         raise RecordingNotFoundError(f"{url}: there is no such file") from reason
-    except (OSError, ValueError, ImportError) as reason:
+    except Exception as reason:
+        # Each kind of store has exceptions of its own.
         raise RecordingError(f"{url}: {reason}") from reason

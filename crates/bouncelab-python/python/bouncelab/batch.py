@@ -19,11 +19,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from bouncelab import _core
-from bouncelab._errors import InputError, RecordingNotFoundError, imported
+from bouncelab._errors import BouncelabError, InputError, RecordingNotFoundError, imported
 from bouncelab._isolated import Outcome, child_process
+from bouncelab._paths import fetched, files_at, is_url
 from bouncelab._settings import OF_ONE_RECORDING, Options, flag, number, settings_of, text, texts
 
 if TYPE_CHECKING:
+    import pandas
     import pyarrow
 
     from bouncelab._data import JSON
@@ -91,8 +93,8 @@ class Kernel:
         Parameters
         ----------
         batches : iterable of pyarrow.RecordBatch
-            A column ``path``; perhaps ``content``, of bytes, where the path is not one of this machine, and
-            ``recording``, the name. All other columns are notes: texts, quantities with their unit.
+            A column ``path``, of this machine or a URL that fsspec opens; perhaps ``content``, of bytes, where the path is
+            neither, and ``recording``, the name. All other columns are notes: texts, quantities with their unit.
 
         Yields
         ------
@@ -112,7 +114,31 @@ class Kernel:
 
     def row(self, given: Given) -> bytes:
         """Analyse one recording in this process; return its row as JSON."""
+        if given.content is None and is_url(given.path):
+            try:
+                given = given._replace(content=fetched(given.path))
+            except BouncelabError as reason:
+                return self._core.failed(given, "unreadable", str(reason))
         return self._core.row(given)
+
+    def pandas(self, frame: pandas.DataFrame) -> pandas.DataFrame:
+        """Analyse the recordings of a data frame of pandas, or of a partition of Dask.
+
+        Parameters
+        ----------
+        frame : pandas.DataFrame
+            With the columns that a call takes.
+
+        Returns
+        -------
+        pandas.DataFrame
+            The rows of a call; without recordings it has their columns, as ``meta=`` of Dask takes.
+        """
+        imported("pandas", "pandas")
+        pyarrow = imported("pyarrow", "pyarrow")
+        batches = self(pyarrow.Table.from_pandas(frame, preserve_index=False).to_batches())
+        rows: pandas.DataFrame = pyarrow.Table.from_batches(batches, self.schema).to_pandas()
+        return rows
 
     @contextmanager
     def _one_by_one(self) -> Iterator[Outcome]:
@@ -192,7 +218,8 @@ def manifest(
     Parameters
     ----------
     source : path
-        A folder, which is searched with the folders in it; names with a dot before them are left out.
+        A folder, also at a URL that fsspec opens, which is searched with the folders in it; names with a dot before them
+        are left out.
     path : path
         The file to write.
     notes : mapping, optional
@@ -207,10 +234,11 @@ def manifest(
     """
     pyarrow, parquet = imported("pyarrow", "pyarrow"), imported("pyarrow.parquet", "pyarrow")
     root = fspath(source)
-    names = sorted(_found(root, ""))
+    recordings = _in_store(root) if is_url(root) else {name: os.path.join(root, name) for name in _found(root, "")}
+    names = sorted(recordings)
     known = notes or {}
     fields = sorted({field for noted in known.values() for field in noted})
-    columns: dict[str, list[str | None]] = {"path": [os.path.join(root, name) for name in names]}
+    columns: dict[str, list[str | None]] = {"path": [recordings[name] for name in names]}
     columns["recording"] = list(names)
     columns |= {field: [known.get(name, {}).get(field) for name in names] for field in fields}
     content = pyarrow.BufferOutputStream()
@@ -368,9 +396,19 @@ def plain(path: str) -> str:
     return re.sub("^file:/+", "/", path)
 
 
+def _in_store(root: str) -> dict[str, str]:
+    """Find the recordings in a folder at a URL: their URLs, by names relative to the folder."""
+    hidden = re.compile(r"(^|/)\.")
+    listed = files_at(root).items()
+    return {name: url for name, url in listed if name.lower().endswith(_endings()) and not hidden.search(name)}
+
+
+def _endings() -> tuple[str, ...]:
+    return tuple(f".{ending}" for ending in _core.endings())
+
+
 def _found(root: str, within: str) -> Iterator[str]:
     """Find the recordings in a folder, by names relative to the root."""
-    endings = tuple(f".{ending}" for ending in _core.endings())
     try:
         listed = os.scandir(os.path.join(root, within))
     except OSError as reason:
@@ -382,5 +420,5 @@ def _found(root: str, within: str) -> Iterator[str]:
                 continue
             if entry.is_dir(follow_symlinks=False):
                 yield from _found(root, name)
-            elif entry.name.lower().endswith(endings):
+            elif entry.name.lower().endswith(_endings()):
                 yield name
