@@ -211,17 +211,16 @@ impl Opened {
             let of_place = recorded
                 .iter()
                 .map(|recorded| read(&self.job.sound(recorded)?, &self.setup.options, true));
-            let name = if place == 0 {
-                text("verdict-item-reference")
-            } else {
-                self.name(place)
-            };
-            surface.push(name, of_place.collect::<Result<_, Failure>>()?);
+            surface.push(place_name(place), of_place.collect::<Result<_, Failure>>()?);
         }
         Ok(surface)
     }
+}
 
-    fn name(&self, place: usize) -> String {
+fn place_name(place: usize) -> String {
+    if place == 0 {
+        text("verdict-item-reference")
+    } else {
         text_with("job-place-name", &[("place", place.into())])
     }
 }
@@ -352,11 +351,7 @@ fn method_check() -> Result<MethodCheck, Failure> {
 
 /// A recording in one line.
 fn line(recorded: &Recorded) -> String {
-    let place = if recorded.place == 0 {
-        text("verdict-item-reference")
-    } else {
-        text_with("job-place-name", &[("place", recorded.place.into())])
-    };
+    let place = place_name(recorded.place);
     let file = String::from(Plain::path(&recorded.file));
     let repeated = recorded
         .repeated

@@ -30,17 +30,23 @@ pub fn of_verdict(
     let outcome = words::outcome_name(evaluation.verdict.outcome, translator);
     let made = provenance.made.as_deref();
     let cited = evaluation.rule.source.citation();
-    let head = notes.map(|notes| notes.section(cited, made, translator));
+    let head = notes.map(|notes| notes.section(&cited, made, translator));
     let sections = vec![
         rebound(evaluation, translator),
         the_rule(evaluation, translator),
         drops(evaluation, translator),
         shared_conditions(evaluation.setup, translator),
-        priors(&evaluation.setup.options, translator),
         decision(translator),
-        method(translator),
         repeat(provenance, translator),
     ];
+    // The model stands beside the result: what it assumes is no part of a test report.
+    let details = match notes {
+        Some(_) => Vec::new(),
+        None => vec![
+            priors(&evaluation.setup.options, translator),
+            method(translator),
+        ],
+    };
     let closing = notes.map(|notes| notes.closing(translator));
     Page {
         title: notes.map_or_else(String::new, |notes| notes.title(translator))
@@ -48,7 +54,7 @@ pub fn of_verdict(
         subtitle: made_by(provenance, translator),
         lead: lead(evaluation, translator),
         sections: head.into_iter().chain(sections).chain(closing).collect(),
-        details: Vec::new(),
+        details,
         unfolded: false,
         language: Language::new(translator),
     }

@@ -83,13 +83,12 @@ impl TestNotes {
     /// The facts at the head of a report.
     pub(super) fn section(
         &self,
-        method: String,
+        method: &str,
         issued: Option<&str>,
         translator: &Translator,
     ) -> Section {
         let equipment = self.equipment.join("; ");
-        let issued = issued.unwrap_or_default().to_owned();
-        let facts = [
+        let facts: [(&str, &str); 15] = [
             ("number", &self.number),
             ("laboratory", &self.laboratory),
             ("client", &self.client),
@@ -97,10 +96,10 @@ impl TestNotes {
             ("sample", &self.sample),
             ("received", &self.received),
             ("tested", &self.tested),
-            ("issued", &issued),
+            ("issued", issued.unwrap_or_default()),
             ("location", &self.location),
             ("operator", &self.operator),
-            ("method", &method),
+            ("method", method),
             ("deviations", &self.deviations),
             ("conditions", &self.conditions),
             ("reference", &self.reference),
