@@ -147,7 +147,7 @@ fn fifa_turf_quality() {
 }
 
 /// ITTF: the height itself counts, here in air with a constant drag coefficient, for which the flight is known in closed form:
-/// up (v_t/g) atan(v/v_t), down (v_t/g) acosh(exp(g h/v_t²)), h = v_t²/(2 g) ln(1 + v²/v_t²).
+/// up `(v_t/g) atan(v/v_t)`, down `(v_t/g) acosh(exp(g h/v_t²))`, `h = v_t²/(2 g) ln(1 + v²/v_t²)`.
 #[test]
 fn ittf_ball() {
     const DRAG: f64 = 0.5;
