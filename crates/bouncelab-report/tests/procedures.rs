@@ -167,7 +167,7 @@ fn ittf_ball() {
     // By bisection: the launch speed of a flight of 0.452 s less the contact.
     let (mut slow, mut fast) = (1.0, 4.0);
     for _ in 0..60 {
-        let middle = (slow + fast) / 2.0;
+        let middle = f64::midpoint(slow, fast);
         if duration_s(middle) < 0.452 - 0.004 {
             slow = middle;
         } else {
