@@ -42,8 +42,8 @@ pub(crate) struct Arguments {
     reference: Vec<PathBuf>,
     #[command(flatten)]
     rules: Files,
-    /// Parts of the procedure that were kept and that nothing else shows: surface, reference, conditioning
-    #[arg(long, value_name = "PART", num_args = 1..)]
+    /// Parts of the procedure that were kept and that nothing else shows: surface, reference, conditioning; with commas
+    #[arg(long, value_name = "PART", value_delimiter = ',')]
     kept: Vec<String>,
     /// Decision rule
     #[arg(long, value_enum, default_value_t = DecisionRule::Guarded)]
