@@ -80,6 +80,7 @@ export async function keepDrop(name: string): Promise<boolean> {
       surface: pupil().surface,
     };
     await putDrop(keptDrop);
+    changes += 1;
     void askToLast();
     workspace.value = { ...recording, storedAs: sound };
     kept.value = [...kept.peek(), keptDrop];
@@ -144,6 +145,7 @@ export const deleted = signal<readonly KeptDrop[]>([]);
 export async function remove(drops: readonly KeptDrop[]): Promise<void> {
   await forgetDeleted();
   for (const { id } of drops) await deleteDrop(id);
+  changes += 1;
   const gone = new Set(drops.map(({ id }) => id));
   kept.value = kept.peek().filter(({ id }) => !gone.has(id));
   deleted.value = drops;
