@@ -112,7 +112,7 @@ pub enum Error {
     },
 
     /// A file is neither a list of impact times nor a sampled waveform in text.
-    #[error("{name}{}: {problem}", AtLine(*line))]
+    #[error("{name}{}: {}", AtLine(*line), Shortened(problem))]
     Times {
         /// The file as the caller named it.
         name: String,
@@ -200,5 +200,42 @@ impl fmt::Display for AtLine {
             Some(line) => write!(f, ", line {line}"),
             None => Ok(()),
         }
+    }
+}
+
+/// Prints a problem without the middle of what it quotes, if that is long: a file may be one line of megabytes.
+struct Shortened<'a>(&'a TimesProblem);
+
+impl fmt::Display for Shortened<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        /// Maximum length in letters, and the parts of it before and behind what is left out: the end says what to do.
+        const MAX: usize = 600;
+        const FRONT: usize = 300;
+        const BACK: usize = 250;
+        let text = self.0.to_string();
+        let letters = text.chars().count();
+        if letters <= MAX {
+            return f.write_str(&text);
+        }
+        let front: String = text.chars().take(FRONT).collect();
+        let back: String = text.chars().skip(letters - BACK).collect();
+        write!(f, "{front} … {back}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_problem_quotes_no_megabytes() {
+        let text = "x".repeat(3_000_000);
+        let error = Error::times("long.csv", Some(1), TimesProblem::NotNumber { text });
+        let said = error.to_string();
+        assert!(
+            said.len() < 700 && said.starts_with("long.csv, line 1: "),
+            "{said}"
+        );
+        assert!(said.ends_with("expected a number such as 0.125"), "{said}");
     }
 }

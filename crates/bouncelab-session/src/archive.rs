@@ -3,10 +3,12 @@
 //! An archive is read in memory, one recording at a time. Nothing in it is written to the disk, so that the names in it
 //! are never used as paths.
 
+use std::cell::RefCell;
 use std::fmt;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, BufReader, Read};
 use std::path::{Component, Path, PathBuf};
+use std::time::SystemTime;
 
 use zip::ZipArchive;
 use zip::result::ZipError;
@@ -98,7 +100,52 @@ fn unpack<T>(
     entry: &ArchiveEntry,
     read: impl FnOnce(&mut dyn Read) -> io::Result<T>,
 ) -> Result<T> {
-    let mut archive = open(path)?;
+    OPEN.with_borrow_mut(|last| {
+        let archive = reopened(last, path)?;
+        unpack_from(archive, path, entry, read)
+    })
+}
+
+thread_local! {
+    /// The archive that was read last: its recordings are read one after the other, and its table of contents, which may
+    /// have 10,000 lines, only once.
+    static OPEN: RefCell<Option<Opened>> = const { RefCell::new(None) };
+}
+
+/// An archive, and the state of its file when it was opened.
+struct Opened {
+    path: PathBuf,
+    state: State,
+    archive: Archive,
+}
+
+type Archive = ZipArchive<BufReader<File>>;
+
+/// Length and time of the last change of a file.
+type State = (u64, Option<SystemTime>);
+
+/// The archive at a path, opened only if it is another one than the last, or was changed.
+fn reopened<'a>(last: &'a mut Option<Opened>, path: &Path) -> Result<&'a mut Archive> {
+    let about = fs::metadata(path).map_err(Error::read(path))?;
+    let state = (about.len(), about.modified().ok());
+    let known = last.take_if(|last| last.path == path && last.state == state);
+    let opened = match known {
+        Some(opened) => opened,
+        None => Opened {
+            path: path.to_owned(),
+            state,
+            archive: open(path)?,
+        },
+    };
+    Ok(&mut last.insert(opened).archive)
+}
+
+fn unpack_from<T>(
+    archive: &mut Archive,
+    path: &Path,
+    entry: &ArchiveEntry,
+    read: impl FnOnce(&mut dyn Read) -> io::Result<T>,
+) -> Result<T> {
     let file = archive
         .by_index(entry.index)
         .map_err(|reason| unread(path, &reason))?;
@@ -113,7 +160,7 @@ fn unpack<T>(
     Ok(content)
 }
 
-fn open(path: &Path) -> Result<ZipArchive<BufReader<File>>> {
+fn open(path: &Path) -> Result<Archive> {
     let file = crate::hash::open(path).map_err(Error::read(path))?;
     ZipArchive::new(BufReader::new(file)).map_err(|reason| unread(path, &reason))
 }
@@ -202,6 +249,16 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn an_archive_that_was_changed_is_opened_again() {
+        let one = |content: &str| archive(&[("a.csv".to_owned(), content.into())]);
+        let (first, second) = (one("1"), one("2, and longer"));
+        let entry = &entries(first.path(), |_| true).unwrap()[0];
+        assert_eq!(read(first.path(), entry).unwrap(), b"1");
+        std::fs::copy(second.path(), first.path()).unwrap();
+        assert_eq!(read(first.path(), entry).unwrap(), b"2, and longer");
     }
 
     #[test]

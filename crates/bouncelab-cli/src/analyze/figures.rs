@@ -7,12 +7,14 @@ use bouncelab::settings::Setup;
 use bouncelab_report::figure::{self, FigureInput, Mark};
 use bouncelab_report::file::Outputs;
 use bouncelab_report::messages::Translator;
+use bouncelab_report::report::MAX_DROPS_SHOWN;
 use bouncelab_report::{Chart, save};
 
 use super::read::Analysed;
 use crate::failure::Failure;
-use crate::language::translator;
+use crate::language::{text_with, translator};
 use crate::report::wrote_figure;
+use crate::terminal::say;
 
 /// Names for figures, another for each recording: those of different folders may have the same name.
 #[derive(Default)]
@@ -43,6 +45,10 @@ pub(crate) fn save_figures(
         let saved = save(&chart, folder, &format!("{stem}-{name}"), outputs)?;
         wrote_figure(&saved);
     }
+    if analysed.result.drops.len() > MAX_DROPS_SHOWN {
+        let shown = [("count", MAX_DROPS_SHOWN.into())];
+        say(text_with("terminal-first-figures", &shown));
+    }
     Ok(())
 }
 
@@ -54,7 +60,8 @@ fn figures(analysed: &Analysed, physics: &Setup, translator: &Translator) -> Vec
         let chart = figure::waveform(sound, &Mark::of_drops(&analysed.result.drops), translator);
         figures.push(("waveform".to_owned(), chart));
     }
-    for (index, drop) in analysed.result.drops.iter().enumerate() {
+    let drops = analysed.result.drops.iter().take(MAX_DROPS_SHOWN);
+    for (index, drop) in drops.enumerate() {
         let input = FigureInput::new(drop, settings);
         figures.extend(figure::of_drop(&input).map(|figure| {
             let name = match analysed.result.drops.len() {
@@ -98,7 +105,26 @@ fn stem(name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use bouncelab::settings::Settings;
+    use bouncelab::{Options, analyze_times};
+
     use super::*;
+
+    /// As many as have sections in a report.
+    #[test]
+    fn a_recording_of_many_drops_has_the_figures_of_the_first_hundred() {
+        let options = Options::default().without_inference();
+        let mut result = analyze_times(&[0.0, 0.46, 0.89, 1.29, 1.66, 2.0], &options);
+        result.drops = vec![result.drops[0].clone(); 102];
+        let analysed = Analysed {
+            name: "class.wav".to_owned(),
+            result,
+        };
+        let setup = Settings::default().resolve().unwrap();
+        let figures = figures(&analysed, &setup, &Translator::english());
+        let has = |start: &str| figures.iter().any(|(name, _)| name.starts_with(start));
+        assert!(has("drop100-") && !has("drop101-"));
+    }
 
     #[test]
     fn recordings_of_the_same_name_have_figures_of_their_own() {

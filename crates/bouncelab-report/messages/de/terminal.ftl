@@ -45,6 +45,7 @@ analyze-cues-need-sound = { $name } ist eine Liste von Zeiten ohne Ton, in dem M
 
 terminal-wrote = { $file } geschrieben
 terminal-wrote-figure = { $file }, .png, .pdf und .csv geschrieben
+terminal-first-figures = Die ersten { $count } Versuche haben eigene Abbildungen; Ergebnisse für Programme haben alle.
 terminal-all-shown = ... und { $count } weitere; --format csv hat alle.
 
 demo-heading = Ein Versuch aus 30,5 cm, erzeugt, erkannt und ausgewertet ({ $file })

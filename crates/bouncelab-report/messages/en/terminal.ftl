@@ -47,6 +47,7 @@ analyze-cues-need-sound = { $name } is a list of times, which has no sound to ma
 
 terminal-wrote = wrote { $file }
 terminal-wrote-figure = wrote { $file }, .png, .pdf and .csv
+terminal-first-figures = The first { $count } drops have figures of their own; results for programs have all.
 terminal-all-shown = ... and { $count } more; --format csv has them all.
 
 demo-heading = A drop from 30.5 cm, synthesised, detected and analysed ({ $file })

@@ -46,6 +46,7 @@ analyze-cues-need-sound = { $name } es una lista de tiempos, sin sonido que marc
 
 terminal-wrote = escrito: { $file }
 terminal-wrote-figure = escrito: { $file }, .png, .pdf y .csv
+terminal-first-figures = Los primeros { $count } ensayos tienen figuras propias; los resultados para programas los tienen todos.
 terminal-all-shown = ... y { $count } más; --format csv los tiene todos.
 
 demo-heading = Un ensayo desde 30,5 cm, sintetizado, detectado y analizado ({ $file })

@@ -46,6 +46,7 @@ analyze-cues-need-sound = { $name } est une liste de temps, sans son à marquer�
 
 terminal-wrote = écrit : { $file }
 terminal-wrote-figure = écrit : { $file }, .png, .pdf et .csv
+terminal-first-figures = Les { $count } premiers essais ont leurs propres figures ; les résultats pour programmes les ont tous.
 terminal-all-shown = ... et { $count } de plus ; --format csv les a tous.
 
 demo-heading = Un essai depuis 30,5 cm, synthétisé, détecté et analysé ({ $file })

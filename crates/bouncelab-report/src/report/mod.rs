@@ -38,4 +38,4 @@ pub use input::{Provenance, ReportInput};
 pub use markdown::Markdown;
 pub use method::{method, method_in_short};
 pub use page::{Block, Language, Page, Section, ended};
-pub use recording::{made_by, of_recording, repeat};
+pub use recording::{MAX_DROPS_SHOWN, made_by, of_recording, repeat};

@@ -14,7 +14,7 @@ use crate::quantity::{Quantity, Unit};
 use crate::table::{Align, Table};
 
 /// Drops with sections of their own: a page of a thousand would take 600 MB.
-const MAX_DROPS: usize = 100;
+pub const MAX_DROPS_SHOWN: usize = 100;
 
 /// The page of a recording: each drop in sentences, numbers and figures, the assumptions, the method, and
 /// how to repeat it; all else in its details, which are folded.
@@ -33,7 +33,7 @@ pub fn of_recording(input: &ReportInput, provenance: &Provenance, translator: &T
         ));
         details.extend(drop_details(only, settings, translator));
     } else {
-        for (one, number) in drops.iter().take(MAX_DROPS).zip(1_usize..) {
+        for (one, number) in drops.iter().take(MAX_DROPS_SHOWN).zip(1_usize..) {
             let of = [("number", number.into()), ("count", drops.len().into())];
             let heading = translator.text_with("report-drop-of", &of);
             sections.push(drop(&heading, one, input.setup, true, translator));
@@ -105,8 +105,8 @@ fn lead(input: &ReportInput, translator: &Translator) -> Vec<Block> {
                 translator.text("report-drops"),
                 overview(several, translator),
             ));
-            if several.len() > MAX_DROPS {
-                let shown = [("count", MAX_DROPS.into())];
+            if several.len() > MAX_DROPS_SHOWN {
+                let shown = [("count", MAX_DROPS_SHOWN.into())];
                 lead.push(Block::Note(
                     translator.text_with("report-first-drops", &shown),
                 ));
