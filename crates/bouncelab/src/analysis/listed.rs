@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::diagnostic::{Code, Diagnostic};
+use crate::impact::Impact;
 use crate::stats::median;
 use crate::train;
 
@@ -60,14 +61,29 @@ pub(super) fn refusal(times_s: &[f64]) -> Option<Diagnostic> {
         let too_many = Diagnostic::new(Code::TooManyTimes).with("count", times_s.len());
         Some(too_many.with("most", MAX_IMPACTS))
     } else {
-        rising(times_s)
+        let numbers = train::number_impacts(times_s);
+        let (count, first_s, last_s) = rising(times_s, &numbers)?;
+        Some(
+            Diagnostic::new(Code::FlightsDoNotFall)
+                .with("count", count)
+                .with("first_s", first_s)
+                .with("last_s", last_s),
+        )
     }
 }
 
-/// Flights that do not fall on the whole, or most of which last longer than the one before: samples, a clock, another
-/// order, or several drops.
-fn rising(times_s: &[f64]) -> Option<Diagnostic> {
-    let numbers = train::number_impacts(times_s);
+/// Why the detected impacts of a train are not those of a drop, whatever their sounds are: as of music whose beat wanders.
+pub(super) fn veto(impacts: &[Impact]) -> Option<Diagnostic> {
+    let times_s: Vec<f64> = impacts.iter().map(|impact| impact.time_s).collect();
+    let numbers: Vec<u32> = impacts.iter().map(|impact| impact.number as u32).collect();
+    let (flights, first_s, _) = rising(&times_s, &numbers)?;
+    let periodic = Diagnostic::new(Code::PeriodicSounds).with("count", flights + 1);
+    Some(periodic.with("interval_s", first_s))
+}
+
+/// Number of flights, and typical durations of the first and last in seconds, if they do not fall on the whole, or most
+/// last longer than the one before, so that most impacts gain energy: samples, a clock, another order, or several drops.
+fn rising(times_s: &[f64], numbers: &[u32]) -> Option<(usize, f64, f64)> {
     let flights: Vec<Flight> = std::iter::zip(times_s.windows(2), numbers.windows(2))
         .map(|(times_s, numbers)| {
             let count = f64::from(numbers[1] - numbers[0]);
@@ -89,12 +105,8 @@ fn rising(times_s: &[f64]) -> Option<Diagnostic> {
     let late = typical(&flights[flights.len() - third..])?;
     // By ln(late / early) = distance ln(ratio).
     let ln_ratio = (late.duration_s / early.duration_s).ln() / (late.number - early.number);
-    (mostly_rises || ln_ratio > MAX_RATIO.ln()).then(|| {
-        Diagnostic::new(Code::FlightsDoNotFall)
-            .with("count", flights.len())
-            .with("first_s", early.duration_s)
-            .with("last_s", late.duration_s)
-    })
+    let is_rising = mostly_rises || ln_ratio > MAX_RATIO.ln();
+    is_rising.then_some((flights.len(), early.duration_s, late.duration_s))
 }
 
 /// A flight, or several whose impacts are not in the list.

@@ -144,10 +144,16 @@ impl Plan {
                 .with("end_s", trains[MAX_DROPS - 1].end_s());
             recording.diagnostics.push(left_out);
         }
-        let candidates = trains.iter().take(MAX_DROPS);
-        let candidates =
-            candidates.map(|train| DropCandidate::detected(train, &detection.envelope));
-        let candidates = candidates.collect();
+        let trains = trains.iter().take(MAX_DROPS);
+        let mut candidates: Vec<DropCandidate> = trains
+            .map(|train| DropCandidate::detected(train, &detection.envelope))
+            .collect();
+        candidates.retain(|candidate| {
+            let veto = listed::veto(&candidate.impacts);
+            let is_drop = veto.is_none();
+            recording.no_drop = veto.or(recording.no_drop.take());
+            is_drop
+        });
         let mut plan = Self::new(recording, candidates, options);
         plan.recording.envelope = Some(detection.envelope);
         plan
@@ -461,6 +467,31 @@ mod tests {
         assert_eq!(of_length(500), (1, None));
         assert_eq!(of_length(501), (0, Some(Code::TooManyTimes)));
         assert_eq!(of_length(1_000_000), (0, Some(Code::TooManyTimes)));
+    }
+
+    /// What sounds like impacts of one ball and beats like music: 40 beats whose rate wanders, and flights that grow.
+    #[test]
+    fn a_train_whose_flights_do_not_fall_is_no_drop() {
+        let drop: Vec<f64> = (0..40).map(|n| 0.5 * 0.9_f64.powi(n)).collect();
+        let music = (0..40).map(|n| 1.22 + 0.1 * f64::from(n).sin()).collect();
+        let growing = (0..8).map(|n| 0.3 * 1.08_f64.powi(n)).collect();
+        for (flights_s, is_drop) in [(drop, true), (music, false), (growing, false)] {
+            let mut time_s = 1.0;
+            let times_s: Vec<f64> = std::iter::once(time_s)
+                .chain(flights_s.iter().map(|flight_s: &f64| {
+                    time_s += flight_s;
+                    time_s
+                }))
+                .collect();
+            let [candidate] = &mut candidates(&[&times_s])[..] else {
+                panic!("one drop")
+            };
+            for (number, impact) in candidate.impacts.iter_mut().enumerate() {
+                impact.number = number;
+            }
+            let veto = listed::veto(&candidate.impacts).map(|reason| reason.code);
+            assert_eq!(veto, (!is_drop).then_some(Code::PeriodicSounds));
+        }
     }
 
     /// Of drops that begin at 0 s and 10 s, whether each uses a release at this time (it shows
