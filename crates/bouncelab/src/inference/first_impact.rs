@@ -57,10 +57,10 @@ impl SampledPosterior {
         others.map(|candidate| candidate.weight).sum()
     }
 
-    /// Removes the candidates that leave out the first impact if they are too improbable for an interval of 95 %. If they
-    /// are more probable than the others, makes both as probable: how often first flights are odd is not known well enough
-    /// for such odds. An odd second impact explains a first flight up to a certain difference from the one expected; beyond
-    /// it the odds return to those of the evidence.
+    /// Removes the candidates that leave out the first impact if they are too improbable for an interval of 95 %. Otherwise
+    /// makes them as probable as the others: how often first flights are odd is not known well enough for odds. Where they
+    /// are more probable, an odd second impact explains a first flight up to a certain difference from the one expected;
+    /// beyond it the odds return to those of the evidence.
     pub(super) fn weigh_first_impact(&mut self) {
         let (others, with_first): (Vec<&Candidate>, Vec<&Candidate>) = self
             .candidates
@@ -79,7 +79,7 @@ impl SampledPosterior {
             .map(|off| (off.abs() - MAX_ODD_SECOND).max(0.0) / ODD_SECOND_FALL);
         let mut candidates = std::mem::take(&mut self.candidates);
         if let Some(too_far) = too_far {
-            self.ln_odd_second = (ln_odds - too_far).max(0.0);
+            self.ln_odd_second = (ln_odds - too_far).max(ln_odds.min(0.0));
             let belonging = candidates
                 .iter_mut()
                 .filter(|it| !self.leaves_out_first(it));
