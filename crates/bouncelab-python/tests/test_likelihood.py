@@ -18,7 +18,7 @@ RESTITUTIONS = TRUE.bounces["restitution"][:-1].astype(float)
 SIGMA_S = 2e-5
 
 
-@pytest.mark.parametrize("drag", ["clift-grace-weber", "constant:0.5", "none"])
+@pytest.mark.parametrize("drag", ["standard", "constant:0.5", "none"])
 def test_the_times_of_a_simulation_have_no_residuals(drag: str) -> None:
     """The simulation integrates each flight by itself; here polynomials stand for all of them."""
     drop = bl.simulate(height_m=0.4, restitution=0.9, bounces=15, ball=BALL, drag=drag)

@@ -69,7 +69,7 @@ class BouncelabError(Exception):
         ...     bl.gravity_m_s2(latitude_deg=91.0)
         ... except bl.OutOfRangeError as error:
         ...     print(error.message("de").split(":")[0])
-        Breite
+        Geografische Breite
         """
         if not self._diagnostic:
             return self._message
