@@ -215,6 +215,19 @@ impl Opened {
         }
         Ok(surface)
     }
+
+    /// The verdict on all that was recorded.
+    fn test(&self) -> Result<Test<'_>, Failure> {
+        let reference = self.surface(std::iter::once(0))?;
+        let surface = self.surface(1..=self.job.notes.places)?;
+        Test::new(
+            &self.rule,
+            &self.setup,
+            surface,
+            reference,
+            Decision::default(),
+        )
+    }
 }
 
 fn place_name(place: usize) -> String {
@@ -227,6 +240,8 @@ fn place_name(place: usize) -> String {
 
 fn add(folder: &Path, files: &[PathBuf], place: Option<usize>) -> Result<(), Failure> {
     let mut opened = Opened::new(folder)?;
+    // Neither whether there is a drop nor the result so far needs the model.
+    opened.setup.options.inference = None;
     for path in files {
         let place = match place.or_else(|| opened.next_place()) {
             Some(place) if opened.places().contains(&place) => place,
@@ -259,18 +274,7 @@ fn add(folder: &Path, files: &[PathBuf], place: Option<usize>) -> Result<(), Fai
         let number = opened.job.add(path, place, drops, now)?;
         print(format!("{number}  {}\n", opened.position(place)))?;
     }
-    // The result so far needs no model.
-    opened.setup.options.inference = None;
-    let reference = opened.surface(std::iter::once(0))?;
-    let surface = opened.surface(1..=opened.job.notes.places)?;
-    let test = Test::new(
-        &opened.rule,
-        &opened.setup,
-        surface,
-        reference,
-        Decision::default(),
-    )?;
-    print(test.result() + "\n")
+    print(opened.test()?.result() + "\n")
 }
 
 fn show(
@@ -289,15 +293,7 @@ fn show(
     let report = report
         .map(|path| ReportFile::new(path, &outputs))
         .transpose()?;
-    let reference = opened.surface(std::iter::once(0))?;
-    let surface = opened.surface(1..=opened.job.notes.places)?;
-    let test = Test::new(
-        &opened.rule,
-        &opened.setup,
-        surface,
-        reference,
-        Decision::default(),
-    )?;
+    let test = opened.test()?;
     if let Some(file) = report {
         let files = opened
             .job
