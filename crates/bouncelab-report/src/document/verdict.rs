@@ -1,7 +1,8 @@
 //! A verdict as data: the schema `bouncelab.verdict/4`.
 
 use bouncelab::rulebook::{
-    self, Decision, InconclusiveReason, Limits, MeanRebound, Remark, Requirement, Rule,
+    self, Decision, Formula, InconclusiveReason, Limits, MeanRebound, Point, Remark, Requirement,
+    Rule, Source,
 };
 use bouncelab::settings::Setup;
 use bouncelab::{Diagnostic, Estimate};
@@ -33,7 +34,7 @@ pub struct VerdictDocument {
     unevenness: Option<Estimate>,
     /// What the model answers, m or a share.
     model: Option<Estimate>,
-    accepted: Option<Ends>,
+    accepted: Option<Limits>,
     /// Mean over the drops of g T²/8.
     drag_free_m: Option<f64>,
     /// The sources of the uncertainty of `rebound_m` and of `reference_rebound_m`.
@@ -50,37 +51,19 @@ pub struct VerdictDocument {
 struct RuleUsed {
     name: String,
     title: String,
-    source: SourceUsed,
+    source: Source,
     surface: Option<String>,
     reference: Option<String>,
     drop_height_m: Option<f64>,
-    measured_at: Option<String>,
-    rebound_m: Option<Ends>,
+    measured_at: Option<Point>,
+    rebound_m: Option<Limits>,
     about_m: Option<f64>,
-    share_of_reference: Option<Ends>,
+    share_of_reference: Option<Limits>,
     fewest_drops: usize,
     fewest_places: usize,
     conditioning: Option<String>,
-    formula: Option<FormulaUsed>,
+    formula: Option<Formula>,
     rounding: Option<f64>,
-}
-
-#[derive(Clone, Debug, PartialEq, Serialize)]
-struct SourceUsed {
-    publisher: String,
-    document: Option<String>,
-    edition: Option<String>,
-    clause: Option<String>,
-    address: Option<String>,
-    checked: Option<String>,
-    read: String,
-}
-
-#[derive(Clone, Debug, PartialEq, Serialize)]
-struct FormulaUsed {
-    factor_m_s2: f64,
-    offset_s: f64,
-    read: String,
 }
 
 /// A source of uncertainty; `degrees_of_freedom` is `null` where there is no end of them.
@@ -98,12 +81,6 @@ struct Check {
     item: &'static str,
     state: &'static str,
     found: Option<f64>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-struct Ends {
-    least: Option<f64>,
-    greatest: Option<f64>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -170,7 +147,7 @@ impl VerdictDocument {
             reference_rebound_m: verdict.reference.as_ref().map(|mean| mean.height_m),
             share_of_reference: verdict.share,
             unevenness: verdict.unevenness,
-            accepted: verdict.accepted.map(Ends::from),
+            accepted: verdict.accepted,
             drag_free_m: verdict.drag_free_m(),
             model: verdict.model,
             budget: budget(verdict.rebound.as_ref()),
@@ -225,69 +202,33 @@ impl From<&rulebook::Check> for Check {
     }
 }
 
-impl From<Limits> for Ends {
-    fn from(limits: Limits) -> Self {
-        Self {
-            least: limits.least,
-            greatest: limits.greatest,
-        }
-    }
-}
-
 impl From<&Rule> for RuleUsed {
     fn from(rule: &Rule) -> Self {
         let (mut rebound_m, mut about_m, mut share, mut reference) = (None, None, None, None);
         match &rule.requirement {
-            Requirement::Height(limits) => rebound_m = Some(Ends::from(*limits)),
+            Requirement::Height(limits) => rebound_m = Some(*limits),
             Requirement::About(height_m) => about_m = Some(*height_m),
             Requirement::Share { limits, of } => {
-                share = Some(Ends::from(*limits));
+                share = Some(*limits);
                 reference = Some(of.clone());
             }
         }
         Self {
             name: rule.name.clone(),
             title: rule.title.clone(),
-            source: SourceUsed::from(&rule.source),
+            source: rule.source.clone(),
             surface: rule.surface.clone(),
             reference,
             drop_height_m: rule.drop_height_m,
-            measured_at: rule.measured_at.map(|point| point.to_string()),
+            measured_at: rule.measured_at,
             rebound_m,
             about_m,
             share_of_reference: share,
             fewest_drops: rule.fewest_drops,
             fewest_places: rule.places(),
             conditioning: rule.conditioning.clone(),
-            formula: rule.formula.map(|formula| FormulaUsed {
-                factor_m_s2: formula.factor_m_s2,
-                offset_s: formula.offset_s,
-                read: formula.read.to_string(),
-            }),
+            formula: rule.formula,
             rounding: rule.rounding,
-        }
-    }
-}
-
-impl From<&rulebook::Source> for SourceUsed {
-    fn from(source: &rulebook::Source) -> Self {
-        let rulebook::Source {
-            publisher,
-            document,
-            edition,
-            clause,
-            address,
-            checked,
-            read,
-        } = source.clone();
-        Self {
-            publisher,
-            document,
-            edition,
-            clause,
-            address,
-            checked,
-            read: read.to_string(),
         }
     }
 }

@@ -160,12 +160,12 @@ struct Book {
 struct Entry {
     name: String,
     title: String,
-    source: SourceWritten,
+    source: Source,
     note: Option<String>,
     ball: Option<String>,
     surface: Option<String>,
     drop: DropWritten,
-    measured_at: Option<PointWritten>,
+    measured_at: Option<Point>,
     rebound: Option<ReboundWritten>,
     share: Option<ShareWritten>,
     even: Option<EvenWritten>,
@@ -180,40 +180,12 @@ struct Entry {
     rounded: Option<RoundedWritten>,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct SourceWritten {
-    publisher: String,
-    document: Option<String>,
-    edition: Option<String>,
-    clause: Option<String>,
-    address: Option<String>,
-    checked: Option<String>,
-    read: ReadingWritten,
-}
-
 /// A length of a rule of heights, a share of one that compares.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct RoundedWritten {
     height: Option<Length>,
     share: Option<Share>,
-}
-
-#[derive(Deserialize, Clone, Copy)]
-#[serde(rename_all = "lowercase")]
-enum ReadingWritten {
-    Primary,
-    Secondary,
-    Memory,
-}
-
-#[derive(Deserialize, Clone, Copy)]
-#[serde(rename_all = "lowercase")]
-enum PointWritten {
-    Bottom,
-    Centre,
-    Top,
 }
 
 #[derive(Deserialize, Clone, Copy)]
@@ -267,7 +239,7 @@ struct Between<T> {
 struct FormulaWritten {
     factor: f64,
     offset: Time,
-    read: ReadingWritten,
+    read: Reading,
 }
 
 /// A quantity written with its unit.
@@ -292,30 +264,6 @@ written! {
     Temperature by units::temperature,
 }
 
-impl From<ReadingWritten> for Reading {
-    fn from(written: ReadingWritten) -> Self {
-        match written {
-            ReadingWritten::Primary => Self::Primary,
-            ReadingWritten::Secondary => Self::Secondary,
-            ReadingWritten::Memory => Self::Memory,
-        }
-    }
-}
-
-impl SourceWritten {
-    fn source(self, plain: impl Fn(String) -> String) -> Source {
-        Source {
-            publisher: plain(self.publisher),
-            document: self.document.map(&plain),
-            edition: self.edition.map(&plain),
-            clause: self.clause.map(&plain),
-            address: self.address.map(&plain),
-            checked: self.checked.map(&plain),
-            read: self.read.into(),
-        }
-    }
-}
-
 impl Entry {
     fn rule(self) -> std::result::Result<Rule, String> {
         let named = self
@@ -334,17 +282,21 @@ impl Entry {
             requirement: self.requirement(plain)?,
             evenness: self.evenness()?,
             rounding: self.rounding()?,
-            source: self.source.source(plain),
+            source: Source {
+                publisher: plain(self.source.publisher),
+                document: self.source.document.map(plain),
+                edition: self.source.edition.map(plain),
+                clause: self.source.clause.map(plain),
+                address: self.source.address.map(plain),
+                checked: self.source.checked.map(plain),
+                read: self.source.read,
+            },
             note: self.note.map(plain),
             ball: self.ball.map(plain),
             surface: self.surface.map(plain),
             drop_tolerance_m: self.drop.tolerance.map(|length| length.0),
             or_higher: self.drop.or_higher,
-            measured_at: self.measured_at.map(|point| match point {
-                PointWritten::Bottom => Point::Bottom,
-                PointWritten::Centre => Point::Centre,
-                PointWritten::Top => Point::Top,
-            }),
+            measured_at: self.measured_at,
             fewest_drops: self.drops.unwrap_or(1),
             fewest_places: self.places.unwrap_or(1),
             conditioning: self.conditioning.map(plain),
@@ -358,7 +310,7 @@ impl Entry {
             formula: self.formula.map(|formula| Formula {
                 factor_m_s2: formula.factor,
                 offset_s: formula.offset.0,
-                read: formula.read.into(),
+                read: formula.read,
             }),
             drop_height_m: self.drop.height.map(|length| length.0),
             name: self.name,

@@ -8,6 +8,8 @@ use crate::error::{Error, Quantity, Result, positive, within};
 
 /// What was read of a rule or of a formula.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Reading {
     /// The text of its publisher: only such a rule is verified.
     Primary,
@@ -29,6 +31,8 @@ impl fmt::Display for Reading {
 
 /// Where a rule stands, and what was read of it.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(deny_unknown_fields))]
 pub struct Source {
     /// Who publishes it.
     pub publisher: String,
@@ -74,6 +78,8 @@ impl Source {
 
 /// The point of the ball at which heights are measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
 pub enum Point {
     /// The lowest point.
     Bottom,
@@ -112,6 +118,7 @@ impl fmt::Display for Point {
 
 /// The least and the greatest value that a rule allows; an end that is open allows anything.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Limits {
     /// The least.
     pub least: Option<f64>,
@@ -232,6 +239,7 @@ pub enum Averaging {
 
 /// A rule's own formula from the time T between first and second impact: factor (T - offset)².
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Formula {
     /// In m/s².
     pub factor_m_s2: f64,
