@@ -75,9 +75,13 @@ export function complete(): Promise<void> {
 let completing: Promise<void> | undefined;
 
 async function completeEach(): Promise<void> {
-  for (const { id, marks, settings, comparable } of kept.peek()) {
-    if (comparable !== undefined) continue;
-    const measured = await measureMarks([marks], settings).catch(() => undefined);
-    if (measured) await alter(id, { comparable: measured[0]?.comparable ?? null });
+  for (const { id } of kept.peek()) {
+    const incomplete = () =>
+      kept.peek().find((drop) => drop.id === id && drop.comparable === undefined);
+    const drop = incomplete();
+    if (!drop) continue;
+    const measured = await measureMarks([drop.marks], drop.settings).catch(() => undefined);
+    // A drop whose ball was corrected meanwhile has been analysed with that ball.
+    if (measured && incomplete()) await alter(id, { comparable: measured[0]?.comparable ?? null });
   }
 }
