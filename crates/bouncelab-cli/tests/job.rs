@@ -1,11 +1,14 @@
 //! A job of five places by five drops, from its folder to its report, and what happens to it on the way.
 
+mod support;
+
 use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
 use predicates::prelude::*;
 use serde_json::Value;
+use support::write_simulated_times;
 use tempfile::TempDir;
 
 fn job(folder: &TempDir, words: &[&str]) -> Command {
@@ -17,27 +20,9 @@ fn job(folder: &TempDir, words: &[&str]) -> Command {
 /// Impact times of a simulated tennis ball from 1.27 m.
 fn drop(folder: &Path, name: &str, restitution: f64) {
     let restitution = restitution.to_string();
-    let output = Command::cargo_bin("bouncelab")
-        .unwrap()
-        .args([
-            "simulate",
-            "--ball",
-            "tennis",
-            "--height",
-            "127cm",
-            "--restitution",
-            &restitution,
-        ])
-        .args(["--bounces", "8", "--format", "json"])
-        .output()
-        .unwrap();
-    let history: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let bounces = history["simulations"][0]["bounces"].as_array().unwrap();
-    let times: Vec<String> = bounces
-        .iter()
-        .map(|bounce| format!("{:.5}", bounce["time_s"].as_f64().unwrap()))
-        .collect();
-    fs::write(folder.join(name), times.join("\n")).unwrap();
+    let ball = ["--ball", "tennis", "--height", "127cm", "--bounces", "8"];
+    let arguments = [&ball[..], &["--restitution", &restitution]].concat();
+    write_simulated_times(&folder.join(name), &arguments, 5);
 }
 
 /// A job of a court, its notes filled in.

@@ -1,11 +1,14 @@
 //! `bouncelab verdict` and `bouncelab rules`, as their users meet them.
 
+mod support;
+
 use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
 use predicates::prelude::*;
 use serde_json::Value;
+use support::write_simulated_times;
 use tempfile::TempDir;
 
 fn bouncelab() -> Command {
@@ -14,19 +17,16 @@ fn bouncelab() -> Command {
 
 /// Impact times of a simulated drop, as a list.
 fn drop(folder: &Path, name: &str, height: &str, restitution: &str) {
-    let output = bouncelab()
-        .args(["simulate", "--height", height, "--restitution", restitution])
-        .args(["--bounces", "25", "--format", "json"])
-        .output()
-        .unwrap();
-    let history: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let bounces = history["simulations"][0]["bounces"].as_array().unwrap();
-    let times: Vec<String> = bounces
-        .iter()
-        // As somebody would read them off.
-        .map(|bounce| format!("{:.4}", bounce["time_s"].as_f64().unwrap()))
-        .collect();
-    fs::write(folder.join(name), times.join("\n")).unwrap();
+    let arguments = [
+        "--height",
+        height,
+        "--restitution",
+        restitution,
+        "--bounces",
+        "25",
+    ];
+    // As somebody would read them off.
+    write_simulated_times(&folder.join(name), &arguments, 4);
 }
 
 fn verdict(folder: &TempDir, arguments: &[&str]) -> Command {
