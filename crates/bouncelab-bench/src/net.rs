@@ -52,7 +52,7 @@ pub fn run(arguments: &[String]) -> Result {
             Some(("store", file)) => store = Some(file),
             _ => {
                 return Err(format!(
-                    "'{argument}' is none of: drops=N, sounds=FOLDER, out=FILE, compare=FILE, store=FILE"
+                    "unknown argument '{argument}'; known are drops=N, sounds=FOLDER, out=FILE, compare=FILE, store=FILE"
                 )
                 .into());
             }

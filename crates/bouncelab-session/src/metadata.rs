@@ -404,7 +404,7 @@ impl One<'_> {
             for (field, note) in of_ball {
                 if !OF_A_BALL.contains(&field.as_str()) {
                     self.problems.general.insert(format!(
-                        "[balls.{label}]: {field} (by {}) is none of {}",
+                        "[balls.{label}]: {field} (by {}) is no field of a ball; these are {}",
                         note.said_by,
                         OF_A_BALL.join(", ")
                     ));

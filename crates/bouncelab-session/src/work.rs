@@ -55,7 +55,7 @@ pub fn complete<E: From<Error>>(
 }
 
 /// The record of the recording with this name, content and settings, among those of a session, which are in the order of
-/// their names; `None` if there is none, or its content has changed.
+/// their names; `None` if the session has no such record, or the content has changed.
 pub fn record_of(recordings: &[KnownRecording], name: &str, key: &Key) -> Option<Record> {
     let first = recordings.partition_point(|it| it.name() < name);
     let named = recordings[first..]

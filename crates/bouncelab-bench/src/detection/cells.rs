@@ -1,4 +1,4 @@
-//! What is found and what is made up, cell by cell.
+//! Detected, missed and false impacts, for each combination of scene and background (a cell).
 
 use super::drops::{Cell, Recording, cells};
 use super::reliability::Reliability;

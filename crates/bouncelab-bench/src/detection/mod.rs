@@ -38,7 +38,7 @@ struct Request {
 pub fn run(arguments: &[String]) -> Result {
     let request = parse(arguments).map_err(|argument| {
         format!(
-            "'{argument}' is none of: cells, timing, silence, steady, drops=N, hours=H, only=WORDS, wav=FOLDER"
+            "unknown argument '{argument}'; known are cells, timing, silence, steady, drops=N, hours=H, only=WORDS, wav=FOLDER"
         )
     })?;
     if let Some(folder) = &request.wav {
