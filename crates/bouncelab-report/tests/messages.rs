@@ -348,6 +348,29 @@ fn french_signs_have_their_space() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
+/// Readers are addressed as pupils are, by "tu" and "tú".
+#[test]
+fn readers_are_addressed_as_pupils() {
+    for (language, formal) in [
+        ("fr", &["vous", "votre", "vos"][..]),
+        ("es", &["usted"][..]),
+    ] {
+        let is_formal = |line: &String| {
+            let mut words = line
+                .split(|c: char| !c.is_alphabetic())
+                .map(str::to_lowercase);
+            words.any(|word| formal.contains(&word.as_str()) || language == "fr" && is_order(&word))
+        };
+        let found: Vec<String> = lines(language).into_iter().filter(is_formal).collect();
+        assert!(found.is_empty(), "{language}: {found:#?}");
+    }
+}
+
+/// Whether a French word has the ending of an order to several, or to a stranger.
+fn is_order(word: &str) -> bool {
+    word.ends_with("ez") && !["assez", "chez"].contains(&word)
+}
+
 /// Numbers in messages are written as the language writes them; only what the program reads has a point.
 #[test]
 fn messages_have_the_decimal_sign_of_their_language() {

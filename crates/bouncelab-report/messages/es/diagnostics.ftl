@@ -7,9 +7,9 @@ diagnostic-too-few-sounds = { $count ->
 diagnostic-periodic-sounds = { $count } sonidos son periódicos, cada { $interval_s } s aproximadamente, como los de un reloj, unos pasos o un tambor; los vuelos de una pelota se acortan.
 diagnostic-no-pattern = { $count } sonidos destacan sobre el ruido de fondo, pero no hay { $needed } de ellos con los intervalos decrecientes de una pelota que rebota.
 diagnostic-too-few-times = Un vuelo necesita dos tiempos de impacto, y hay menos.
-diagnostic-too-many-times = La lista tiene { $count } tiempos; ningún ensayo tiene más de { $most } impactos. Indique los de un solo ensayo. Una forma de onda muestreada necesita una segunda columna, la amplitud.
+diagnostic-too-many-times = La lista tiene { $count } tiempos; ningún ensayo tiene más de { $most } impactos. Indica los de un solo ensayo. Una forma de onda muestreada necesita una segunda columna, la amplitud.
 diagnostic-times-in-milliseconds = Hay impactos separados por más de 30 s, y ninguna pelota vuela tanto tiempo. Los tiempos son segundos; bajo el título time_ms, milisegundos.
-diagnostic-flights-do-not-fall = Los { $count } intervalos entre los tiempos no se acortan como los vuelos de una pelota que rebota: duran { $first_s } s al principio y { $last_s } s al final. Son muestras, otro reloj o varios ensayos; indique los tiempos de impacto de un solo ensayo.
+diagnostic-flights-do-not-fall = Los { $count } intervalos entre los tiempos no se acortan como los vuelos de una pelota que rebota: duran { $first_s } s al principio y { $last_s } s al final. Son muestras, otro reloj o varios ensayos; indica los tiempos de impacto de un solo ensayo.
 diagnostic-times-by-threshold = Los tiempos son aquellos en que el sonido superó un umbral, que marca un impacto débil más tarde que uno fuerte. Una grabación del sonido da mejores tiempos.
 diagnostic-times-of-intervals = Los tiempos de impacto son sumas de los intervalos indicados; el primer impacto está en 0 s.
 diagnostic-nothing-left = Se excluyeron tantos impactos que no queda ningún vuelo.
@@ -23,7 +23,7 @@ diagnostic-nothing-to-exclude = No hay ningún impacto cerca de { $time_s } s, a
 diagnostic-too-far-to-include = { $time_s } s está a más de { $reach_s } de todo ensayo, así que no se añadió.
 diagnostic-sound-lost = Se perdió sonido en { $at_s } s: de { $impacts } impactos se usan los { $kept } de la parte más larga sin hueco.
 diagnostic-release-without-drop = Ningún ensayo empieza después de la suelta indicada en { $time_s } s.
-diagnostic-height-of-another-unit = La altura indicada es { $stated_m }, pero la caída detectada es de unos { $detected_m }; quizá quiso decir { $meant_m }.
+diagnostic-height-of-another-unit = La altura indicada es { $stated_m }, pero la caída detectada es de unos { $detected_m }; quizá quisiste decir { $meant_m }.
 
 diagnostic-file-unreadable = El archivo no se puede leer.
 diagnostic-file-truncated = { $expected_s ->
@@ -91,17 +91,17 @@ diagnostic-height-contradicts-times = La altura indicada de { $measured_m } cont
 diagnostic-first-impact-doubtful = El primer impacto, a los { $time_s } s, concuerda mal con los demás: con probabilidad { $probability } es otro sonido, o de una caída anterior, y la pelota cayó desde { $height_m }.
 diagnostic-release-contradicts-times = El momento de soltar indicado, { $stated_s } s antes del primer impacto, contradice los impactos, que indican una caída de { $detected_s } s; no se utiliza.
 diagnostic-first-impacts-missed = Se perdieron impactos antes del primero detectado, con probabilidad { $probability }.
-diagnostic-other-ball-fits-better = Los tiempos encajan mejor con otro tipo de pelota que el indicado, al menos { $odds } a 1: { $balls }. Compruebe qué pelota era.
+diagnostic-other-ball-fits-better = Los tiempos encajan mejor con otro tipo de pelota que el indicado, al menos { $odds } a 1: { $balls }. Comprueba qué pelota era.
 diagnostic-never-rests = Según algunas de las leyes de restitución posibles, la pelota pierde tan poco en los impactos lentos que no llegaría al reposo en un tiempo razonable.
 diagnostic-inference-off = No se pidió ninguna inferencia.
 diagnostic-inference-needs-impacts = Una inferencia necesita al menos un vuelo, es decir, dos impactos.
-diagnostic-restitution-undetermined = Hay muy pocos impactos: con { $count } la restitución puede estar entre { $least } y { $greatest }. Grabe al menos tres impactos, o mida e indique la altura de caída.
-diagnostic-contact-overlaps = Los impactos { $first } y { $second }, en { $time_s } s, están a { $interval_s } uno de otro, y la pelota toca la superficie durante { $contact_time_s }. Uno de ellos es probablemente un eco u otro sonido: exclúyalo. Si no, corrija la pelota o su tiempo de contacto.
-diagnostic-no-model-fits = Ningún modelo físico se ajusta a estos tiempos. Compruebe que están en segundos y son de un solo ensayo, excluya otros sonidos, y compruebe la pelota.
-diagnostic-sampling-not-converged = Los tiempos no determinan el ensayo: el cálculo de las incertidumbres no convergió. Excluya los impactos que no son de este ensayo, compruebe la pelota, o grabe más impactos.
-diagnostic-sampling-failed = Ninguna extracción de la distribución a posteriori explica los tiempos como los de un solo ensayo. Excluya otros sonidos, o analice cada ensayo por separado.
-diagnostic-missed-in-a-row = Se perdieron { $missed } impactos seguidos después del impacto { $after }. Inclúyalos, o excluya los impactos después del hueco.
-diagnostic-flight-too-long = El vuelo después del impacto { $after } dura { $duration_s }, lo que el arrastre del aire hace imposible con esta pelota. Incluya un impacto perdido ahí, o compruebe la masa, el diámetro y la unidad de los tiempos.
+diagnostic-restitution-undetermined = Hay muy pocos impactos: con { $count } la restitución puede estar entre { $least } y { $greatest }. Graba al menos tres impactos, o mide e indica la altura de caída.
+diagnostic-contact-overlaps = Los impactos { $first } y { $second }, en { $time_s } s, están a { $interval_s } uno de otro, y la pelota toca la superficie durante { $contact_time_s }. Uno de ellos es probablemente un eco u otro sonido: exclúyelo. Si no, corrige la pelota o su tiempo de contacto.
+diagnostic-no-model-fits = Ningún modelo físico se ajusta a estos tiempos. Comprueba que están en segundos y son de un solo ensayo, excluye otros sonidos, y comprueba la pelota.
+diagnostic-sampling-not-converged = Los tiempos no determinan el ensayo: el cálculo de las incertidumbres no convergió. Excluye los impactos que no son de este ensayo, comprueba la pelota, o graba más impactos.
+diagnostic-sampling-failed = Ninguna extracción de la distribución a posteriori explica los tiempos como los de un solo ensayo. Excluye otros sonidos, o analiza cada ensayo por separado.
+diagnostic-missed-in-a-row = Se perdieron { $missed } impactos seguidos después del impacto { $after }. Inclúyelos, o excluye los impactos después del hueco.
+diagnostic-flight-too-long = El vuelo después del impacto { $after } dura { $duration_s }, lo que el arrastre del aire hace imposible con esta pelota. Incluye un impacto perdido ahí, o comprueba la masa, el diámetro y la unidad de los tiempos.
 diagnostic-gains-speed = La pelota ganaría velocidad en la mayoría de los impactos, lo cual es imposible sobre una superficie en reposo; ¿están los tiempos en orden, en segundos, y son de un solo ensayo?
 diagnostic-variances-confounded = Las varianzas de estos grupos no se pueden separar.
 
@@ -120,36 +120,36 @@ diagnostic-out-of-range = { $quantity }: { $value }{ $unit ->
    *[finite] finito
   }
 diagnostic-unknown-name = Nombre desconocido ({ $kind }): «{ $name }»; el más próximo es «{ $nearest }» (conocidos: { $known }).
-diagnostic-reynolds-too-high = La tabla de arrastre termina en el número de Reynolds { $max_reynolds }, pero la pelota alcanza { $reynolds }; añada allí un punto o elija la curva estándar.
-diagnostic-ball-floats = La pelota pesa { $mass_kg } y desplaza { $displaced_kg } de aire, así que flota; compruebe la masa y el diámetro, o no cuente el empuje.
-diagnostic-endless-drop = La pelota aún sube { $apex_m } después de { $bounces } rebotes; reduzca la restitución, pare a una altura mayor, o pida como mucho { $bounces } rebotes.
-diagnostic-too-few-flights = Un ajuste log-lineal de los tiempos de vuelo necesita al menos 2 vuelos, y hay { $flights }; use una grabación con al menos 3 impactos, o un intervalo más amplio de vuelos.
+diagnostic-reynolds-too-high = La tabla de arrastre termina en el número de Reynolds { $max_reynolds }, pero la pelota alcanza { $reynolds }; añade allí un punto o elige la curva estándar.
+diagnostic-ball-floats = La pelota pesa { $mass_kg } y desplaza { $displaced_kg } de aire, así que flota; comprueba la masa y el diámetro, o no cuentes el empuje.
+diagnostic-endless-drop = La pelota aún sube { $apex_m } después de { $bounces } rebotes; reduce la restitución, para a una altura mayor, o pide como mucho { $bounces } rebotes.
+diagnostic-too-few-flights = Un ajuste log-lineal de los tiempos de vuelo necesita al menos 2 vuelos, y hay { $flights }; usa una grabación con al menos 3 impactos, o un intervalo más amplio de vuelos.
 diagnostic-too-few-drops = Esto necesita al menos { $needed } ensayos, y hay { $drops }.
 diagnostic-no-band = Ninguna banda está al menos por mitad { $range } Hz; con esta frecuencia de muestreo, las bandas son { $bands } Hz.
-diagnostic-settings-contradict = { $first } y { $second } se contradicen; omita uno de los dos.
-diagnostic-not-in-order = { $what } número { $number }: este número no es mayor que el anterior; numere en orden, una vez cada uno.
+diagnostic-settings-contradict = { $first } y { $second } se contradicen; omite uno de los dos.
+diagnostic-not-in-order = { $what } número { $number }: este número no es mayor que el anterior; numera en orden, una vez cada uno.
 diagnostic-no-channel = No hay canal { $channel }: la grabación tiene { $channels ->
     [one] solo uno
    *[other] { $channels }, y el primero es el 1
   }.
-diagnostic-too-many-drops = Hay { $drops } ensayos; solo se analizaron los primeros { $most }, hasta { $end_s } s. Corte la grabación allí, y analice el resto por separado.
-diagnostic-too-many-channels = { $channels } canales son más de los que se pueden analizar juntos: con esta frecuencia de muestreo, como mucho { $most }; elija uno de ellos.
+diagnostic-too-many-drops = Hay { $drops } ensayos; solo se analizaron los primeros { $most }, hasta { $end_s } s. Corta la grabación allí, y analiza el resto por separado.
+diagnostic-too-many-channels = { $channels } canales son más de los que se pueden analizar juntos: con esta frecuencia de muestreo, como mucho { $most }; elige uno de ellos.
 diagnostic-each-of-reference = Una parte de una referencia compara medias: los ensayos aislados no tienen parte.
 diagnostic-implausible-quantity = { $quantity }: ¿{ $value } { $unit }?{ $meant_unit ->
     [none] {""}
-   *[other] {" "}¿Quiso decir { $meant } { $meant_unit }?
+   *[other] {" "}¿Quisiste decir { $meant } { $meant_unit }?
   }
 diagnostic-implausible-ball = ¿Una pelota de { $mass_kg } y { $diameter_m } de diámetro?{ $meant_g ->
     [none] { $meant_cm ->
         [none] { $meant_mm ->
             [none] {""}
-           *[other] {" "}¿Quiso decir { $meant_mm } mm?
+           *[other] {" "}¿Quisiste decir { $meant_mm } mm?
           }
-       *[other] {" "}¿Quiso decir { $meant_cm } cm?
+       *[other] {" "}¿Quisiste decir { $meant_cm } cm?
       }
    *[other] { $meant_mm ->
-        [none] {" "}¿Quiso decir { $meant_g } g?
-       *[other] {" "}¿Quiso decir { $meant_g } g y { $meant_mm } mm?
+        [none] {" "}¿Quisiste decir { $meant_g } g?
+       *[other] {" "}¿Quisiste decir { $meant_g } g y { $meant_mm } mm?
       }
   }
 
@@ -175,13 +175,13 @@ diagnostic-prior-missed = Cada impacto más perdido al principio: la mitad de pr
 diagnostic-rule-without-limits = La regla no indica límites.
 diagnostic-procedure-not-kept = No se siguió el procedimiento de la regla: { $item }.
 diagnostic-drop-without-first-flight = No se detectó el primer vuelo del ensayo { $drop }: la regla pide el rebote del primer impacto.
-diagnostic-rule-secondary = No se leyó el texto de esta regla, sino uno que la cita: compruebe la edición vigente antes de fiarse de un veredicto.
+diagnostic-rule-secondary = No se leyó el texto de esta regla, sino uno que la cita: comprueba la edición vigente antes de fiarte de un veredicto.
 diagnostic-model-differs = El modelo da otro valor que el procedimiento de la regla, con una diferencia mayor que las incertidumbres de ambos; el veredicto sigue el procedimiento.
 diagnostic-drops-that-decide = { $drops } ensayos con esta media y esta dispersión decidirían.
 diagnostic-no-drops-decide = Más ensayos no decidirían: lo que comparten todos, como la altura de caída y el tiempo de contacto, es demasiado incierto.
 diagnostic-rule-needs-height = La regla no indica altura, y la altura de caída no se indicó.
 diagnostic-limit-within-uncertainty = Un límite está dentro de la incertidumbre; ayudarían más ensayos, o mejores.
-diagnostic-rule-unverified = Esta regla se escribió de memoria; no se fíe de ella.
+diagnostic-rule-unverified = Esta regla se escribió de memoria; no te fíes de ella.
 diagnostic-formula-unverified = No se leyó el texto de la fórmula de esta regla ({ $read }).
 diagnostic-rule-other-ball = La regla es para una pelota del tipo { $ball }, y la pelota indicada tiene otra masa u otro diámetro: ¿es la regla correcta?
 diagnostic-rule-without-point = La regla no indica en qué punto de la pelota mide; se toma el más bajo.

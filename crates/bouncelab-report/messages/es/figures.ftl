@@ -33,7 +33,7 @@ figure-bounce-heights-empty = No hay alturas que mostrar.
 
 figure-budget-title = De dónde viene la incertidumbre
 figure-budget-tab = Balance
-figure-budget-caption = Cada barra es la parte de una fuente en la varianza: para conocer mejor la pelota, reduzca la fuente de arriba.
+figure-budget-caption = Cada barra es la parte de una fuente en la varianza: para conocer mejor la pelota, reduce la fuente de arriba.
 figure-budget-empty = No hay incertidumbre que mostrar.
 figure-budget-axis = parte de la varianza
 figure-budget-drop-height = altura de caída: { $value }
@@ -53,7 +53,7 @@ figure-comparison-caption = Donde las curvas se separan, el modelo es incompleto
 figure-comparison-empty = No hay alturas que mostrar.
 figure-comparison-best-fit = simulada, con 95 %
 figure-comparison-measured = medido
-figure-comparison-simulation = su simulación
+figure-comparison-simulation = tu simulación
 
 figure-detection-found-title = Impactos hallados en el ruido
 figure-detection-found-caption = F1 vale 1 donde se halla cada impacto tan fuerte como el ruido y nada más.

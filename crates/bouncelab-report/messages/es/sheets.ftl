@@ -2,8 +2,8 @@ sheet-fields = Nombre: _________________________ Clase: ______________ Fecha: __
 sheet-set-up = Una pelota sobre el suelo, su altura h, y un teléfono al lado
 sheet-need = Se necesita
 sheet-do = Qué hacer
-sheet-write = Anote
-sheet-work = Calcule
+sheet-write = Anota
+sheet-work = Calcula
 sheet-expected = Qué esperar
 sheet-expected-made = Calculado por bouncelab, con el aire de una sala (20 °C, nivel del mar) y la gravedad normal. La restitución de las tablas se supone igual a toda velocidad.
 sheet-talk = Para discutir
@@ -27,32 +27,32 @@ sheet-column-off = desviación (%)
 sheet-column-mean = media
 
 sheet-bounciness-title = ¿Cuánto rebota una pelota?
-sheet-bounciness-aim = Una pelota conserva una fracción e de su velocidad en cada rebote: su coeficiente de restitución. Usted halla e con el oído de un teléfono, porque cada vuelo dura unas e veces el anterior.
+sheet-bounciness-aim = Una pelota conserva una fracción e de su velocidad en cada rebote: su coeficiente de restitución. Hallas e con el oído de un teléfono, porque cada vuelo dura unas e veces el anterior.
 sheet-bounciness-need-1 = tres pelotas distintas, un suelo duro, una regla o una cinta métrica
 sheet-bounciness-need-2 = un teléfono u ordenador con la página de bouncelab
-sheet-bounciness-do-1 = Elija su pelota en la página, ponga el teléfono junto al lugar donde va a rebotar, y toque «Escuchar».
-sheet-bounciness-do-2 = Sostenga el punto más bajo de la pelota a { $height } cm del suelo. Suelte sin empujar. Espere hasta que la pelota esté en reposo.
-sheet-bounciness-do-3 = Lea los primeros tiempos de vuelo en la lista de impactos: T₁ es el tiempo del impacto 1 al impacto 2, T₂ del 2 al 3.
-sheet-bounciness-do-4 = Suelte cada pelota tres veces.
-sheet-bounciness-work-1 = Divida T₂ entre T₁ en cada ensayo, y tome la media de cada pelota.
+sheet-bounciness-do-1 = Elige tu pelota en la página, pon el teléfono junto al lugar donde va a rebotar, y toca «Escuchar».
+sheet-bounciness-do-2 = Sostén el punto más bajo de la pelota a { $height } cm del suelo. Suelta sin empujar. Espera hasta que la pelota esté en reposo.
+sheet-bounciness-do-3 = Lee los primeros tiempos de vuelo en la lista de impactos: T₁ es el tiempo del impacto 1 al impacto 2, T₂ del 2 al 3.
+sheet-bounciness-do-4 = Suelta cada pelota tres veces.
+sheet-bounciness-work-1 = Divide T₂ entre T₁ en cada ensayo, y toma la media de cada pelota.
 sheet-bounciness-work-2 = ¿Qué pelota conserva más velocidad? ¿Qué fracción de su energía conserva (e²)?
-sheet-bounciness-work-3 = Compare su T₂ / T₁ con el e de la página. ¿Cuál es mayor, y por qué?
+sheet-bounciness-work-3 = Compara tu T₂ / T₁ con el e de la página. ¿Cuál es mayor, y por qué?
 sheet-bounciness-see = Una pelota ({ $ball }) desde { $height } cm, para varios valores de e. T₂ / T₁ es menor que e: el aire también frena la pelota.
 sheet-bounciness-talk-1 = ¿Por qué el tiempo de un vuelo dice la velocidad con que empezó?
-sheet-bounciness-talk-2 = La altura de un rebote es e² veces la anterior. ¿Qué altura tiene el rebote 5 de su mejor pelota?
+sheet-bounciness-talk-2 = La altura de un rebote es e² veces la anterior. ¿Qué altura tiene el rebote 5 de tu mejor pelota?
 sheet-bounciness-talk-3 = Tres ensayos de la misma pelota difieren. ¿Es la pelota, el suelo o la forma de soltar?
 sheet-bounciness-teacher-1 = Sin aire, T₂ / T₁ = e. La diferencia de la tabla es casi toda del aire: { $off } % para e = 0,90. La página descuenta el aire de su e.
 
 sheet-air-title = ¿Cuánto se lleva el aire?
-sheet-air-aim = El aire frena toda pelota, sobre todo una ligera y grande. Usted mide cuánto, con tiempos de vuelo que se reducirían todos en la misma razón si no hubiera aire.
+sheet-air-aim = El aire frena toda pelota, sobre todo una ligera y grande. Mides cuánto, con tiempos de vuelo que se reducirían todos en la misma razón si no hubiera aire.
 sheet-air-need-1 = una pelota de tenis de mesa, una de tenis y una de golf (o una bola de acero), un suelo duro, una cinta métrica
 sheet-air-need-2 = un teléfono u ordenador con la página de bouncelab
-sheet-air-do-1 = Elija la pelota en la página, toque «Escuchar», y suelte la pelota desde { $height } cm.
-sheet-air-do-2 = Anote los tiempos de los tres primeros vuelos de cada pelota.
-sheet-air-do-3 = Mire la figura «Restitución» de cada ensayo: una vez como si no hubiera aire, otra descontado el aire.
-sheet-air-work-1 = Calcule T₂ / T₁ y T₃ / T₂. Sin aire serían iguales, si la pelota conserva la misma fracción en cada rebote.
+sheet-air-do-1 = Elige la pelota en la página, toca «Escuchar», y suelta la pelota desde { $height } cm.
+sheet-air-do-2 = Anota los tiempos de los tres primeros vuelos de cada pelota.
+sheet-air-do-3 = Mira la figura «Restitución» de cada ensayo: una vez como si no hubiera aire, otra descontado el aire.
+sheet-air-work-1 = Calcula T₂ / T₁ y T₃ / T₂. Sin aire serían iguales, si la pelota conserva la misma fracción en cada rebote.
 sheet-air-work-2 = ¿Qué pelota tiene la mayor diferencia entre T₂ / T₁ y T₃ / T₂? ¿Por qué esa?
-sheet-air-work-3 = Estime el arrastre en el primer impacto con la velocidad terminal: arrastre / peso = (velocidad / velocidad terminal)².
+sheet-air-work-3 = Estima el arrastre en el primer impacto con la velocidad terminal: arrastre / peso = (velocidad / velocidad terminal)².
 sheet-air-see = Pelotas desde { $height } cm, todas con e = { $restitution }. El aire hace variar T₂ / T₁, y un poco el tiempo que una pelota toca el suelo.
 sheet-air-talk-1 = ¿Por qué la bola de acero apenas nota el aire aunque es tan pequeña?
 sheet-air-talk-2 = En los vuelos posteriores, más lentos, T₃ / T₂ se acerca a e. ¿Por qué?
@@ -64,16 +64,16 @@ sheet-gravity-title = Medir g con una pelota
 sheet-gravity-aim = De una altura conocida y dos tiempos de vuelo se obtiene la aceleración de la gravedad g, sin cronómetro: la pelota misma dice cuánto pierde en cada rebote.
 sheet-gravity-need-1 = una pelota pesada y pequeña (golf o acero), una losa de piedra, una regla milimetrada
 sheet-gravity-need-2 = un teléfono u ordenador con la página de bouncelab
-sheet-gravity-do-1 = Mida la altura h de la losa al punto más bajo de la pelota: { $height } cm, al milímetro si puede.
-sheet-gravity-do-2 = Toque «Escuchar» y suelte sin empujar. Suelte la pelota cinco veces.
-sheet-gravity-do-3 = Anote T₁ y T₂ con cuatro decimales.
-sheet-gravity-work-1 = La pelota llega con v = √(2 g h) y sale con e v. Así, T₁ = 2 e v / g, y e = T₂ / T₁. Muestre que g = 8 h T₂² / T₁⁴.
-sheet-gravity-work-2 = Calcule g en cada ensayo, y después la media y su error típico.
-sheet-gravity-work-3 = En la página, dé la altura en «cambiar», marque «medir g», y compare.
+sheet-gravity-do-1 = Mide la altura h de la losa al punto más bajo de la pelota: { $height } cm, al milímetro si puedes.
+sheet-gravity-do-2 = Toca «Escuchar» y suelta sin empujar. Suelta la pelota cinco veces.
+sheet-gravity-do-3 = Anota T₁ y T₂ con cuatro decimales.
+sheet-gravity-work-1 = La pelota llega con v = √(2 g h) y sale con e v. Así, T₁ = 2 e v / g, y e = T₂ / T₁. Muestra que g = 8 h T₂² / T₁⁴.
+sheet-gravity-work-2 = Calcula g en cada ensayo, y después la media y su error típico.
+sheet-gravity-work-3 = En la página, da la altura en «cambiar», marca «medir g», y compara.
 sheet-gravity-see = Lo que da la fórmula para pelotas desde { $height } cm con e = { $restitution }, si g es { $gravity } m/s².
 sheet-gravity-talk-1 = La pelota de tenis da un g demasiado pequeño, aunque nota menos el aire que la de tenis de mesa. ¿Qué más lleva tiempo en un rebote?
 sheet-gravity-talk-2 = Un milímetro de { $height } cm es el { $share } %. ¿Qué error de g resulta de ello?
-sheet-gravity-talk-3 = g es 9,78 m/s² en el ecuador y 9,83 m/s² en los polos. ¿Podría usted distinguirlos?
+sheet-gravity-talk-3 = g es 9,78 m/s² en el ecuador y 9,83 m/s² en los polos. ¿Podrías distinguirlos?
 sheet-gravity-teacher-1 = La fórmula tiene e al cuadrado: si e varía un 0,5 % de rebote a rebote, g varía un { $scatter } % de ensayo a ensayo. Con cinco ensayos, la media se conoce al { $mean } %.
 sheet-gravity-teacher-2 = Lo que más importa es la suelta: una pelota empujada o girada tiene otra altura. Ayuda un imán que suelta una bola de acero.
 sheet-gravity-teacher-3 = Una pelota de tenis toca el suelo durante { $contact } ms, que cuentan como vuelo: g sale un { $soft } % demasiado pequeño. El aire acorta T₁ y reduce T₂ / T₁; en esta fórmula los dos casi se compensan. La página descuenta ambos.

@@ -41,7 +41,7 @@ analyze-no-drop = { $name }: no se halló ningún ensayo: { $reason }
 analyze-detecting = detectando { $bar } { $done } s, quedan { $left }
 analyze-inferring = inferencia a partir de { $impacts } impactos (--no-inference la omite)
 analyze-one-report = un informe es de una grabación, y se dieron varias; bouncelab session informa sobre varias
-analyze-one-labelled = etiquetas, marcas y movimiento son de una grabación, y se dieron varias; dé una cada vez
+analyze-one-labelled = etiquetas, marcas y movimiento son de una grabación, y se dieron varias; da una cada vez
 analyze-cues-need-sound = { $name } es una lista de tiempos, sin sonido que marcar; --format audacity o textgrid escribe etiquetas
 
 terminal-wrote = escrito: { $file }
@@ -261,8 +261,8 @@ listen-begins = escuchando { $source }, { $rate } kHz, { $channels ->
 listen-saved-in = guardado en { $file }
 listen-not-saved = NO GUARDADO
 listen-silence = el micrófono solo da silencio: ¿está silenciado, o no es el correcto (--devices)?
-listen-fault = el análisis falló por un error del programa; comuníquelo, por favor
-listen-goes-on = La grabación sigue hasta que usted la termine.
+listen-fault = el análisis falló por un error del programa; comunícalo, por favor
+listen-goes-on = La grabación sigue hasta que la termines tú.
 listen-lost = se perdió sonido: el ordenador fue demasiado lento, o el micrófono tuvo un fallo; los vuelos que cruzan el hueco se excluyen
 listen-lost-in-all = se perdieron { $frames } muestras de cada canal ({ $seconds } s) en { $count ->
     [one] 1 lugar
@@ -308,7 +308,7 @@ listen-device = nombre
 listen-device-kind = qué es
 listen-device-default = por defecto
 
-session-ball-assumed = El arrastre depende de la pelota, que no se indicó: indíquela con --ball, en los nombres de las grabaciones o en session.toml.
+session-ball-assumed = El arrastre depende de la pelota, que no se indicó: indícala con --ball, en los nombres de las grabaciones o en session.toml.
 session-title = Serie
 session-speed = Restitución a una velocidad de impacto de { $speed } m/s:
 session-legend =
@@ -333,7 +333,7 @@ session-more = y { $count } más (--details)
 session-tables = Tablas: { $list }
 session-no-drop = ninguna grabación contiene un ensayo
 session-damaged-journal = { $count } líneas del diario están truncadas o dañadas, y no se tienen en cuenta
-session-died = su análisis terminó su proceso dos veces, la segunda a solas ({ $how }); si es larga, dele más --memory, y si no, comuníquelo, por favor
+session-died = su análisis terminó su proceso dos veces, la segunda a solas ({ $how }); si es larga, dale más --memory, y si no, comunícalo, por favor
 session-unmatched-names = { $count ->
     [one] 1 nombre no se ajusta
    *[other] { $count } nombres no se ajustan
@@ -344,9 +344,9 @@ session-by-hand = excluido a mano
 session-inference-left-out = los ensayos se comparan por la inferencia, que se omitió (--no-inference)
 session-progress = analizando { $bar } { $done } grabaciones, { $rate }, quedan { $left }
 session-known = { $kept } de { $all } grabaciones se analizaron en una ejecución anterior
-session-out-of-time = su análisis tomó más de { $seconds } s de tiempo de procesador; dele más con --time-limit, o pida menos: menos --draws, una grabación más corta
+session-out-of-time = su análisis tomó más de { $seconds } s de tiempo de procesador; dale más con --time-limit, o pide menos: menos --draws, una grabación más corta
 session-restitution = Restitución
 
 serve-address = El laboratorio está en { $address } (Ctrl-C lo termina)
-serve-no-browser = no se pudo abrir ningún navegador ({ $reason }); abra { $address } usted
+serve-no-browser = no se pudo abrir ningún navegador ({ $reason }); abre { $address } tú
 page-written = Hay { $files } archivos en { $folder }. Si un servidor los envía por https, los teléfonos pueden usar el micrófono.

@@ -7,9 +7,9 @@ diagnostic-too-few-sounds = { $count ->
 diagnostic-periodic-sounds = { $count } sons sont périodiques, toutes les { $interval_s } s environ, comme ceux d’une horloge, de pas ou d’un tambour ; les vols d’une balle, eux, raccourcissent.
 diagnostic-no-pattern = { $count } sons se détachent du bruit de fond, mais { $needed } d’entre eux n’ont nulle part les intervalles décroissants d’une balle qui rebondit.
 diagnostic-too-few-times = Un vol demande deux temps d’impact, et il y en a moins.
-diagnostic-too-many-times = La liste a { $count } temps ; aucun essai n’a plus de { $most } impacts. Donnez ceux d’un seul essai. Une forme d’onde échantillonnée demande une seconde colonne, l’amplitude.
+diagnostic-too-many-times = La liste a { $count } temps ; aucun essai n’a plus de { $most } impacts. Donne ceux d’un seul essai. Une forme d’onde échantillonnée demande une seconde colonne, l’amplitude.
 diagnostic-times-in-milliseconds = Des impacts sont distants de plus de 30 s ; aucune balle ne vole si longtemps. Les temps sont en secondes, sous le titre time_ms en millisecondes.
-diagnostic-flights-do-not-fall = Les { $count } intervalles entre les temps ne raccourcissent pas comme les vols d’une balle qui rebondit : ils durent { $first_s } s au début et { $last_s } s à la fin. Ce sont des échantillons, une autre horloge ou plusieurs essais ; donnez les temps d’impact d’un seul essai.
+diagnostic-flights-do-not-fall = Les { $count } intervalles entre les temps ne raccourcissent pas comme les vols d’une balle qui rebondit : ils durent { $first_s } s au début et { $last_s } s à la fin. Ce sont des échantillons, une autre horloge ou plusieurs essais ; donne les temps d’impact d’un seul essai.
 diagnostic-times-by-threshold = Les temps sont ceux où le son a dépassé un seuil, qui date un impact faible plus tard qu’un impact fort. Un enregistrement du son donne de meilleurs temps.
 diagnostic-times-of-intervals = Les temps d’impact sont les sommes des intervalles donnés ; le premier impact est à 0 s.
 diagnostic-nothing-left = Tant d’impacts ont été exclus qu’il ne reste aucun vol.
@@ -23,7 +23,7 @@ diagnostic-nothing-to-exclude = Aucun impact n’est proche de { $time_s } s :
 diagnostic-too-far-to-include = { $time_s } s est à plus de { $reach_s } de tout essai, et n’a pas été ajouté.
 diagnostic-sound-lost = Du son a été perdu à { $at_s } s : des { $impacts } impacts, les { $kept } de la plus longue partie sans lacune sont utilisés.
 diagnostic-release-without-drop = Aucun essai ne commence après le lâcher indiqué à { $time_s } s.
-diagnostic-height-of-another-unit = La hauteur indiquée est { $stated_m }, mais la chute détectée est d’environ { $detected_m } ; peut-être vouliez-vous dire { $meant_m }.
+diagnostic-height-of-another-unit = La hauteur indiquée est { $stated_m }, mais la chute détectée est d’environ { $detected_m } ; peut-être voulais-tu dire { $meant_m }.
 
 diagnostic-file-unreadable = Le fichier ne peut pas être lu.
 diagnostic-file-truncated = { $expected_s ->
@@ -91,17 +91,17 @@ diagnostic-height-contradicts-times = La hauteur indiquée de { $measured_m } co
 diagnostic-first-impact-doubtful = Le premier impact, à { $time_s } s, s’accorde mal avec les autres : avec une probabilité de { $probability }, c’est un autre bruit, ou il vient d’une chute précédente, et la balle est tombée de { $height_m }.
 diagnostic-release-contradicts-times = Le lâcher indiqué, { $stated_s } s avant le premier impact, contredit les impacts, qui indiquent une chute de { $detected_s } s ; il n’est pas utilisé.
 diagnostic-first-impacts-missed = Des impacts avant le premier détecté ont été manqués, avec une probabilité de { $probability }.
-diagnostic-other-ball-fits-better = Les temps correspondent mieux à une autre sorte de balle que celle indiquée, au moins { $odds } contre 1 : { $balls }. Vérifiez quelle balle c’était.
+diagnostic-other-ball-fits-better = Les temps correspondent mieux à une autre sorte de balle que celle indiquée, au moins { $odds } contre 1 : { $balls }. Vérifie quelle balle c’était.
 diagnostic-never-rests = Selon certaines lois de restitution possibles, la balle perd si peu aux impacts lents qu’elle n’atteindrait pas le repos en un temps raisonnable.
 diagnostic-inference-off = Aucune inférence n’a été demandée.
 diagnostic-inference-needs-impacts = Une inférence demande au moins un vol, soit deux impacts.
-diagnostic-restitution-undetermined = Il y a trop peu d’impacts : avec { $count }, la restitution peut aller de { $least } à { $greatest }. Enregistrez au moins trois impacts, ou mesurez et indiquez la hauteur de chute.
-diagnostic-contact-overlaps = Les impacts { $first } et { $second }, à { $time_s } s, sont séparés de { $interval_s }, et la balle touche la surface pendant { $contact_time_s }. L’un d’eux est probablement un écho ou un autre son : excluez-le. Sinon, corrigez la balle ou sa durée de contact.
-diagnostic-no-model-fits = Aucun modèle physique ne convient à ces temps. Vérifiez qu’ils sont en secondes et d’un seul essai, excluez les autres sons, et vérifiez la balle.
-diagnostic-sampling-not-converged = Les temps ne déterminent pas l’essai : le calcul des incertitudes n’a pas convergé. Excluez les impacts qui ne sont pas de cet essai, vérifiez la balle, ou enregistrez plus d’impacts.
-diagnostic-sampling-failed = Ces temps ne s’expliquent pas comme ceux d’un seul essai. Excluez les autres sons, ou analysez chaque essai à part.
-diagnostic-missed-in-a-row = { $missed } impacts de suite ont été manqués après l’impact { $after }. Ajoutez-les, ou excluez les impacts après la lacune.
-diagnostic-flight-too-long = Le vol après l’impact { $after } dure { $duration_s }, ce que la traînée de l’air rend impossible pour cette balle. Ajoutez un impact manqué à cet endroit, ou vérifiez la masse, le diamètre et l’unité des temps.
+diagnostic-restitution-undetermined = Il y a trop peu d’impacts : avec { $count }, la restitution peut aller de { $least } à { $greatest }. Enregistre au moins trois impacts, ou mesure et indique la hauteur de chute.
+diagnostic-contact-overlaps = Les impacts { $first } et { $second }, à { $time_s } s, sont séparés de { $interval_s }, et la balle touche la surface pendant { $contact_time_s }. L’un d’eux est probablement un écho ou un autre son : exclus-le. Sinon, corrige la balle ou sa durée de contact.
+diagnostic-no-model-fits = Aucun modèle physique ne convient à ces temps. Vérifie qu’ils sont en secondes et d’un seul essai, exclus les autres sons, et vérifie la balle.
+diagnostic-sampling-not-converged = Les temps ne déterminent pas l’essai : le calcul des incertitudes n’a pas convergé. Exclus les impacts qui ne sont pas de cet essai, vérifie la balle, ou enregistre plus d’impacts.
+diagnostic-sampling-failed = Ces temps ne s’expliquent pas comme ceux d’un seul essai. Exclus les autres sons, ou analyse chaque essai à part.
+diagnostic-missed-in-a-row = { $missed } impacts de suite ont été manqués après l’impact { $after }. Ajoute-les, ou exclus les impacts après la lacune.
+diagnostic-flight-too-long = Le vol après l’impact { $after } dure { $duration_s }, ce que la traînée de l’air rend impossible pour cette balle. Ajoute un impact manqué à cet endroit, ou vérifie la masse, le diamètre et l’unité des temps.
 diagnostic-gains-speed = La balle gagnerait de la vitesse à la plupart des impacts, ce qui est impossible sur une surface au repos ; les temps sont-ils dans l’ordre, en secondes, et d’un seul essai ?
 diagnostic-variances-confounded = Les variances de ces groupes ne peuvent pas être séparées.
 
@@ -120,36 +120,36 @@ diagnostic-out-of-range = { $quantity } : { $value }{ $unit ->
    *[finite] finie
   }
 diagnostic-unknown-name = Nom inconnu ({ $kind }) : « { $name } » ; le plus proche est « { $nearest } » (connus : { $known }).
-diagnostic-reynolds-too-high = La table de traînée s’arrête au nombre de Reynolds { $max_reynolds }, mais la balle atteint { $reynolds } ; ajoutez-y un point ou choisissez la courbe standard.
-diagnostic-ball-floats = La balle pèse { $mass_kg } et déplace { $displaced_kg } d’air : elle flotte ; vérifiez la masse et le diamètre, ou négligez la poussée d’Archimède.
-diagnostic-endless-drop = La balle monte encore à { $apex_m } après { $bounces } rebonds ; diminuez la restitution, arrêtez à une hauteur plus grande, ou demandez au plus { $bounces } rebonds.
-diagnostic-too-few-flights = Un ajustement log-linéaire des temps de vol demande au moins 2 vols, et il y en a { $flights } ; utilisez un enregistrement d’au moins 3 impacts, ou une plus large plage de vols.
+diagnostic-reynolds-too-high = La table de traînée s’arrête au nombre de Reynolds { $max_reynolds }, mais la balle atteint { $reynolds } ; ajoutes-y un point ou choisis la courbe standard.
+diagnostic-ball-floats = La balle pèse { $mass_kg } et déplace { $displaced_kg } d’air : elle flotte ; vérifie la masse et le diamètre, ou néglige la poussée d’Archimède.
+diagnostic-endless-drop = La balle monte encore à { $apex_m } après { $bounces } rebonds ; diminue la restitution, arrête à une hauteur plus grande, ou demande au plus { $bounces } rebonds.
+diagnostic-too-few-flights = Un ajustement log-linéaire des temps de vol demande au moins 2 vols, et il y en a { $flights } ; utilise un enregistrement d’au moins 3 impacts, ou une plus large plage de vols.
 diagnostic-too-few-drops = Il faut au moins { $needed } essais, et il y en a { $drops }.
 diagnostic-no-band = Aucune bande n’est au moins pour moitié { $range } Hz ; à cette fréquence d’échantillonnage, les bandes sont { $bands } Hz.
-diagnostic-settings-contradict = { $first } et { $second } se contredisent ; supprimez l’un des deux.
-diagnostic-not-in-order = { $what } numéro { $number } : ce numéro ne dépasse pas le précédent ; numérotez dans l’ordre, une fois chacun.
+diagnostic-settings-contradict = { $first } et { $second } se contredisent ; supprime l’un des deux.
+diagnostic-not-in-order = { $what } numéro { $number } : ce numéro ne dépasse pas le précédent ; numérote dans l’ordre, une fois chacun.
 diagnostic-no-channel = Il n’y a pas de voie { $channel } : l’enregistrement { $channels ->
     [1] n’en a qu’une
    *[other] en a { $channels }, la première étant la 1
   }.
-diagnostic-too-many-drops = Il y a { $drops } essais ; seuls les { $most } premiers, jusqu’à { $end_s } s, ont été analysés. Coupez l’enregistrement à cet endroit, et analysez le reste à part.
-diagnostic-too-many-channels = { $channels } voies sont plus qu’on ne peut en analyser ensemble : à cette fréquence d’échantillonnage, { $most } au plus ; choisissez l’une d’elles.
+diagnostic-too-many-drops = Il y a { $drops } essais ; seuls les { $most } premiers, jusqu’à { $end_s } s, ont été analysés. Coupe l’enregistrement à cet endroit, et analyse le reste à part.
+diagnostic-too-many-channels = { $channels } voies sont plus qu’on ne peut en analyser ensemble : à cette fréquence d’échantillonnage, { $most } au plus ; choisis l’une d’elles.
 diagnostic-each-of-reference = Une part d’une référence compare des moyennes : un essai isolé n’a pas de part.
 diagnostic-implausible-quantity = { $quantity } : { $value } { $unit } ?{ $meant_unit ->
     [none] {""}
-   *[other] {" "}Vouliez-vous dire { $meant } { $meant_unit } ?
+   *[other] {" "}Voulais-tu dire { $meant } { $meant_unit } ?
   }
 diagnostic-implausible-ball = Une balle de { $mass_kg } et de { $diameter_m } de diamètre ?{ $meant_g ->
     [none] { $meant_cm ->
         [none] { $meant_mm ->
             [none] {""}
-           *[other] {" "}Vouliez-vous dire { $meant_mm } mm ?
+           *[other] {" "}Voulais-tu dire { $meant_mm } mm ?
           }
-       *[other] {" "}Vouliez-vous dire { $meant_cm } cm ?
+       *[other] {" "}Voulais-tu dire { $meant_cm } cm ?
       }
    *[other] { $meant_mm ->
-        [none] {" "}Vouliez-vous dire { $meant_g } g ?
-       *[other] {" "}Vouliez-vous dire { $meant_g } g et { $meant_mm } mm ?
+        [none] {" "}Voulais-tu dire { $meant_g } g ?
+       *[other] {" "}Voulais-tu dire { $meant_g } g et { $meant_mm } mm ?
       }
   }
 
@@ -175,13 +175,13 @@ diagnostic-prior-missed = Chaque impact de plus manqué au début : deux fois 
 diagnostic-rule-without-limits = La règle n’indique pas de limites.
 diagnostic-procedure-not-kept = La procédure de la règle n’a pas été suivie : { $item }.
 diagnostic-drop-without-first-flight = Le premier vol de l’essai { $drop } n’a pas été détecté : la règle demande le rebond du premier impact.
-diagnostic-rule-secondary = Le texte de cette règle n’a pas été lu, mais un texte qui la cite : vérifiez l’édition en vigueur avant de vous fier à un verdict.
+diagnostic-rule-secondary = Le texte de cette règle n’a pas été lu, mais un texte qui la cite : vérifie l’édition en vigueur avant de te fier à un verdict.
 diagnostic-model-differs = Le modèle donne une autre valeur que la procédure de la règle, l’écart dépassant les incertitudes des deux ; le verdict suit la procédure.
 diagnostic-drops-that-decide = { $drops } essais avec cette moyenne et cette dispersion décideraient.
 diagnostic-no-drops-decide = Plus d’essais ne décideraient pas : ce qu’ils ont en commun, comme la hauteur de chute et la durée de contact, est trop incertain.
 diagnostic-rule-needs-height = La règle n’indique pas de hauteur, et la hauteur de chute n’a pas été indiquée.
 diagnostic-limit-within-uncertainty = Une limite est à l’intérieur de l’incertitude ; des essais plus nombreux ou meilleurs aideraient.
-diagnostic-rule-unverified = Cette règle a été écrite de mémoire ; ne vous y fiez pas.
+diagnostic-rule-unverified = Cette règle a été écrite de mémoire ; ne t’y fie pas.
 diagnostic-formula-unverified = Le texte de la formule de cette règle n’a pas été lu ({ $read }).
 diagnostic-rule-other-ball = La règle vaut pour une balle du type { $ball }, et la balle indiquée a une autre masse ou un autre diamètre : est-ce la bonne règle ?
 diagnostic-rule-without-point = La règle n’indique pas en quel point de la balle elle mesure ; c’est le plus bas qui est pris.

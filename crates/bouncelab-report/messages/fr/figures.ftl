@@ -33,7 +33,7 @@ figure-bounce-heights-empty = Il n’y a pas de hauteur à montrer.
 
 figure-budget-title = D’où vient l’incertitude
 figure-budget-tab = Bilan
-figure-budget-caption = Chaque barre est la part d’une source dans la variance : pour mieux connaître la balle, réduisez la source du haut.
+figure-budget-caption = Chaque barre est la part d’une source dans la variance : pour mieux connaître la balle, réduis la source du haut.
 figure-budget-empty = Il n’y a pas d’incertitude à montrer.
 figure-budget-axis = part de la variance
 figure-budget-drop-height = hauteur de chute : { $value }
@@ -53,7 +53,7 @@ figure-comparison-caption = Là où les courbes se séparent, le modèle est inc
 figure-comparison-empty = Il n’y a pas de hauteur à montrer.
 figure-comparison-best-fit = simulée, avec 95 %
 figure-comparison-measured = mesuré
-figure-comparison-simulation = votre simulation
+figure-comparison-simulation = ta simulation
 
 figure-detection-found-title = Impacts trouvés dans le bruit
 figure-detection-found-caption = F1 vaut 1 là où chaque impact aussi fort que le bruit est trouvé, et rien d’autre.

@@ -27,8 +27,8 @@ page-app-number-wanted = Un nombre{ $most ->
 page-app-drop-here = Relâche pour ouvrir le fichier
 page-app-unreadable-link = Certains réglages de l’adresse ne sont pas valables et ont été ignorés : { $parts }.
 
-page-lab-invite = Faites tomber une balle près de ton microphone.
-page-lab-invite-touch = Faites tomber une balle près de ton téléphone.
+page-lab-invite = Fais tomber une balle près de ton microphone.
+page-lab-invite-touch = Fais tomber une balle près de ton téléphone.
 page-lab-lead = Les durées entre les rebonds disent combien de vitesse et d’énergie la balle garde, et de quelle hauteur elle est tombée.
 page-lab-listen = Écouter
 page-lab-stop = Arrêter
@@ -44,7 +44,7 @@ page-lab-pasted-name = temps collés
 page-lab-demo-name = exemple
 page-lab-recording-name = essai { $date }
 page-lab-starting = Demande d’accès au microphone…
-page-lab-listening = À l’écoute. Faites tomber la balle.
+page-lab-listening = À l’écoute. Fais tomber la balle.
 page-lab-hint-quiet = Rien de fort n’a encore été entendu : rapproche le microphone de l’endroit où la balle tombe.
 page-lab-hint-no-bounces = On entend des sons, mais pas de rebonds : rapproche le téléphone de l’endroit où la balle tombe, sur un sol dur, et laisse-la rebondir jusqu’à ce qu’elle repose.
 page-lab-so-far = { $count ->
@@ -332,7 +332,7 @@ page-simulate-address = L’adresse contient les réglages : partage-la, et d�
 
 page-paper-title = L’article
 page-paper-source = M. Nagurka, « Aerodynamic Effects in a Dropped Ping-Pong Ball Experiment »
-page-paper-lead = Faites tomber une balle de tennis de table et écoute. Les temps entre les impacts donnent sa restitution et sa hauteur de chute, mais la hauteur est trop basse de 12 %. Cette page explique pourquoi, et calcule chaque nombre et chaque figure pendant que tu lis.
+page-paper-lead = Fais tomber une balle de tennis de table et écoute. Les temps entre les impacts donnent sa restitution et sa hauteur de chute, mais la hauteur est trop basse de 12 %. Cette page explique pourquoi, et calcule chaque nombre et chaque figure pendant que tu lis.
 
 page-paper-one-title = 1. Des temps aux hauteurs
 page-paper-one-text-1 = Entre deux impacts, la balle monte et retombe pendant un temps T. Sans air, elle quitte la surface avec la vitesse gT/2 et monte à gT²/8. Il suffit d’une horloge.
@@ -449,7 +449,7 @@ page-class-surface = Surface
 page-class-student = Élève
 page-class-ball-of = Balle de { $name }
 page-class-surface-of = Surface de { $name }
-page-class-student-of = Élève de { $name }
+page-class-student-of = Élève : { $name }
 page-class-add = Ajouter des essais
 page-class-add-hint = Des fichiers de tout type que cette page enregistre ou ouvre, autant que tu veux, aussi en ZIP ; et des liens. Ce qui est endommagé est nommé, le reste est ajouté.
 page-class-files = Choisir des fichiers
@@ -464,7 +464,7 @@ page-class-by = Grouper par
 page-class-report = Enregistrer le rapport (HTML)
 page-class-sheets = Fiches de travail
 page-class-sheet-bounciness = Comment une balle rebondit-elle ?
-page-class-sheet-air = Que prend l’air ?
+page-class-sheet-air = Quel est l’effet de l’air ?
 page-class-sheet-gravity = Mesurer g avec une balle
 
 page-lesson-title = Ce que tu fais tomber

@@ -41,7 +41,7 @@ analyze-no-drop = { $name } : aucun essai trouvé : { $reason }
 analyze-detecting = détection { $bar } { $done } s, reste { $left }
 analyze-inferring = inférence à partir de { $impacts } impacts (--no-inference l’omet)
 analyze-one-report = un rapport porte sur un enregistrement, et plusieurs ont été donnés ; bouncelab session fait un rapport sur plusieurs
-analyze-one-labelled = étiquettes, marqueurs et mouvement sont d’un seul enregistrement, et plusieurs ont été donnés ; donnez-en un à la fois
+analyze-one-labelled = étiquettes, marqueurs et mouvement sont d’un seul enregistrement, et plusieurs ont été donnés ; donnes-en un à la fois
 analyze-cues-need-sound = { $name } est une liste de temps, sans son à marquer ; --format audacity ou textgrid écrit des étiquettes
 
 terminal-wrote = écrit : { $file }
@@ -262,7 +262,7 @@ listen-saved-in = enregistré dans { $file }
 listen-not-saved = NON ENREGISTRÉ
 listen-silence = le microphone ne donne que du silence : est-il coupé, ou n’est-ce pas le bon (--devices) ?
 listen-fault = l’analyse a échoué par une erreur du programme ; merci de la signaler
-listen-goes-on = L’enregistrement continue jusqu’à ce que vous l’arrêtiez.
+listen-goes-on = L’enregistrement continue jusqu’à ce que tu l’arrêtes.
 listen-lost = du son a été perdu : l’ordinateur était trop lent, ou le microphone a eu un défaut ; les vols qui traversent la lacune sont exclus
 listen-lost-in-all = { $frames } échantillons de chaque voie ({ $seconds } s) ont été perdus en { $count ->
     [one] { $count } endroit
@@ -308,7 +308,7 @@ listen-device = nom
 listen-device-kind = ce que c’est
 listen-device-default = par défaut
 
-session-ball-assumed = La traînée dépend de la balle, qui n’a pas été indiquée : indiquez-la avec --ball, dans les noms des enregistrements ou dans session.toml.
+session-ball-assumed = La traînée dépend de la balle, qui n’a pas été indiquée : indique-la avec --ball, dans les noms des enregistrements ou dans session.toml.
 session-title = Série
 session-speed = Restitution à une vitesse d’impact de { $speed } m/s :
 session-legend =
@@ -333,7 +333,7 @@ session-more = et { $count } de plus (--details)
 session-tables = Tableaux : { $list }
 session-no-drop = aucun enregistrement ne contient d’essai
 session-damaged-journal = { $count } lignes du journal sont tronquées ou endommagées, et sont ignorées
-session-died = son analyse a terminé son processus deux fois, la seconde fois seule ({ $how }) ; s’il est long, donnez-lui plus de --memory, sinon merci de le signaler
+session-died = son analyse a terminé son processus deux fois, la seconde fois seule ({ $how }) ; s’il est long, donne-lui plus de --memory, sinon merci de le signaler
 session-unmatched-names = { $count ->
     [one] { $count } nom ne correspond
    *[other] { $count } noms ne correspondent
@@ -344,9 +344,9 @@ session-by-hand = exclu à la main
 session-inference-left-out = les essais sont comparés par l’inférence, qui a été omise (--no-inference)
 session-progress = analyse { $bar } { $done } enregistrements, { $rate }, reste { $left }
 session-known = { $kept } enregistrements sur { $all } ont été analysés lors d’un passage précédent
-session-out-of-time = son analyse a pris plus de { $seconds } s de temps processeur ; donnez-lui plus de --time-limit, ou demandez moins : moins de --draws, un enregistrement plus court
+session-out-of-time = son analyse a pris plus de { $seconds } s de temps processeur ; donne-lui plus de --time-limit, ou demande moins : moins de --draws, un enregistrement plus court
 session-restitution = Restitution
 
 serve-address = Le laboratoire est à l’adresse { $address } (Ctrl-C l’arrête)
-serve-no-browser = aucun navigateur n’a pu être ouvert ({ $reason }) ; ouvrez { $address } vous-même
+serve-no-browser = aucun navigateur n’a pu être ouvert ({ $reason }) ; ouvre { $address } toi-même
 page-written = { $files } fichiers sont dans { $folder }. Si un serveur les envoie en https, les téléphones peuvent utiliser le microphone.
