@@ -139,13 +139,14 @@ test('thirty phones, thirty links, one table: each group holds its truth', async
     return numbersIn(row?.[1][0] ?? '');
   };
   for (const { name, restitution } of BALLS) {
-    // An interval as wide as the truth allows would say nothing. That of the tennis balls is, until the corrected drop is
-    // among those of its ball.
+    // An interval as wide as the truth allows would say nothing. Ten drops that scatter by 0.003 leave 0.001; what the air
+    // does to a tennis ball is common to all of them and leaves 0.002, so that 95 % are 0.009 wide before the times' own errors.
+    // It is wider until the corrected drop is among those of its ball.
     const width = async () => {
       const [low = 0, high = 1] = await intervalOf(name);
       return high - low;
     };
-    await expect.poll(width, { timeout: 60_000 }).toBeLessThan(0.01);
+    await expect.poll(width, { timeout: 60_000 }).toBeLessThan(0.012);
     const [low = 1, high = 0] = await intervalOf(name);
     expect(low, name).toBeLessThanOrEqual(restitution);
     expect(high, name).toBeGreaterThanOrEqual(restitution);
