@@ -1,6 +1,8 @@
 //! The model of many drops, by simulation and by closed forms.
 
-use bouncelab::groups::{Asked, CurveEvidence, Study, StudyDrop, drops_needed, outliers};
+use bouncelab::groups::{
+    Asked, CurveEvidence, GroupSums, Study, StudyDrop, drops_needed, outliers,
+};
 use bouncelab::inference::Measured;
 use bouncelab::restitution::LawKind;
 use bouncelab::{Options, analyze_times, ball};
@@ -220,6 +222,62 @@ fn operators_scatter_beside_the_drops() {
     };
     let difference = of_operator(0) - of_operator(1);
     assert!((difference - 0.018).abs() < 0.0015, "{difference}");
+}
+
+/// Sums of parts of unlike speeds, read apart and merged in any order, give the groups that all drops give.
+#[test]
+fn sums_of_parts_are_merged() {
+    let mut world = World::new(11);
+    let ranges = [[0.4, 0.7, 1.0], [0.9, 1.3, 1.8], [3.1, 4.4, 7.5]];
+    let asked = Asked {
+        by: vec![0],
+        random: vec![1],
+        at_speed_m_s: Some(0.95),
+        ..Asked::default()
+    };
+    let drops: Vec<StudyDrop> = (0..60)
+        .map(|place| {
+            let level = world.normal(0.002);
+            StudyDrop {
+                evidence: world.drop(&ranges[place % 3], falling, level, 0.001),
+                scatter: Some(0.003),
+                levels: vec![Some(place / 3 % 2), (place % 5 > 0).then_some(place % 5)],
+            }
+        })
+        .collect();
+    let whole = Study::of(&drops, &asked).unwrap();
+    let of_group = |group: usize| {
+        let of_part = |part: usize| {
+            let mut sums = GroupSums::default();
+            for drop in drops.iter().skip(part).step_by(3) {
+                if drop.levels[0] == Some(group) {
+                    sums.add(drop, &asked);
+                }
+            }
+            let written = serde_json::to_string(&sums).unwrap();
+            serde_json::from_str::<GroupSums>(&written).unwrap()
+        };
+        let mut sums = of_part(2);
+        sums.merge(&of_part(0));
+        sums.merge(&of_part(1));
+        (vec![Some(group)], sums)
+    };
+    let merged = Study::of_sums(&[of_group(0), of_group(1)], &asked).unwrap();
+    for (one, other) in whole.groups.iter().zip(&merged.groups) {
+        assert_eq!((one.count, one.range_m_s), (other.count, other.range_m_s));
+        let pairs = one.curve.iter().zip(&other.curve);
+        let pairs = pairs.map(|(one, other)| (one.restitution, other.restitution));
+        let scatters = (one.between_drops, other.between_drops);
+        for (one, other) in pairs.chain([scatters]) {
+            let close = |one: f64, other: f64| (one - other).abs() < 1e-9;
+            assert!(
+                close(one.value, other.value) && close(one.sd, other.sd),
+                "{one:?} {other:?}"
+            );
+        }
+    }
+    let of_operators = |study: &Study| study.scatters[0].1.value;
+    assert!((of_operators(&whole) - of_operators(&merged)).abs() < 1e-9);
 }
 
 /// One of 20 drops is of another ball, whose restitution is 3 % lower.

@@ -191,9 +191,9 @@ impl Effects {
     }
 
     /// The effects of all groups together over scatters of the factors with their weights, and the scatter of each factor.
-    pub(super) fn of(
+    pub(super) fn of<'a>(
         frame: &Frame,
-        groups: &[GroupFit],
+        groups: impl Iterator<Item = &'a GroupFit>,
         factors: usize,
     ) -> (Vec<(f64, Self)>, Vec<Estimate>) {
         /// Scatters of a factor.

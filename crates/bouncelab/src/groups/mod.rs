@@ -7,7 +7,7 @@
 //! | module | question that it answers |
 //! |---|---|
 //! | [`evidence`](CurveEvidence) | what does one drop say of the curve, without what was assumed before the data? |
-//! | `sums` | what must be kept of drops, so that a million are studied as one? |
+//! | [`sums`](GroupSums) | what must be kept of drops, so that a million are studied as one? |
 //! | `fit` | which curve has a group, and how do its drops and operators scatter? |
 //! | `heights` | from which heights did they fall, and where is the zero of the ruler? |
 //! | [`outlier`](outliers()) | which drops do not belong to their group? |
@@ -48,3 +48,4 @@ pub use study::{
     Asked, Compared, CurvePoint, Difference, Factor, FittedDrop, Group, MAX_RANDOM, Study,
     StudyDrop,
 };
+pub use sums::GroupSums;

@@ -2,19 +2,18 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use nalgebra::{DVector, SMatrix};
+use nalgebra::DVector;
 
 use super::evidence::{CurveEvidence, SHARED_INPUTS};
-use super::fit::{Cell, Effects, Frame, GroupFit, Inputs, Linear, Shared, distribution};
+use super::fit::{Cell, Effects, Frame, GroupFit, Inputs, Linear, distribution};
 use super::heights::{self, Height};
 use super::mixture::Mixture;
 use super::outlier::{Outlier, outliers};
 use super::plan::drops_needed;
-use super::sums::{Basis, Rows, Sums};
+use super::sums::{Basis, GroupSums, Rows, Sums, wider};
 use crate::error::{Error, Quantity, Result, positive};
 use crate::estimate::Estimate;
 use crate::inference::Measured;
-use crate::stats::median;
 
 /// Something by which drops can be compared, such as the surface.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -167,46 +166,45 @@ pub struct Study {
     pub outliers: Vec<Outlier>,
 }
 
+impl Asked {
+    /// The levels of a drop by which it may scatter.
+    pub(super) fn effects_of(&self, drop: &StudyDrop) -> Vec<Option<usize>> {
+        let random = self.random.iter().take(MAX_RANDOM);
+        random.map(|&factor| drop.levels[factor]).collect()
+    }
+}
+
 impl Study {
     /// Studies drops.
     ///
     /// # Errors
-    /// [`Error::TooFewDrops`] if no drop has evidence, [`Error::OutOfRange`] for a speed that no group has.
+    /// [`Error::TooFewDrops`] if no drop has evidence or no group has the speed, [`Error::OutOfRange`] for a speed that is not
+    /// above zero.
     pub fn of(drops: &[StudyDrop], asked: &Asked) -> Result<Self> {
-        let used: Vec<usize> = (0..drops.len())
-            .filter(|&place| drops[place].evidence.is_usable())
-            .collect();
-        let members = members(drops, &used, &asked.by);
-        let ranges: Vec<[f64; 2]> = members
-            .values()
-            .map(|of_group| range(drops, of_group))
-            .collect();
-        let Some(whole) = hull(&ranges) else {
-            return Err(Error::TooFewDrops {
-                needed: 1,
-                drops: 0,
-            });
-        };
-        let at_speed_m_s = match asked.at_speed_m_s {
-            Some(speed_m_s) => {
-                positive(Quantity::ImpactSpeed, speed_m_s)?;
-                if !ranges.iter().any(|range| holds(range, speed_m_s)) {
-                    return Err(Error::TooFewDrops {
-                        needed: 1,
-                        drops: 0,
-                    });
-                }
-                speed_m_s
+        let mut members: BTreeMap<Vec<Option<usize>>, (GroupSums, Vec<usize>)> = BTreeMap::new();
+        for (place, drop) in drops.iter().enumerate() {
+            if drop.evidence.is_usable() {
+                let levels = asked.by.iter().map(|&factor| drop.levels[factor]);
+                let (sums, places) = members.entry(levels.collect()).or_default();
+                sums.add(drop, asked);
+                places.push(place);
             }
-            None => common_speed_m_s(&ranges, whole),
-        };
-        let fitting = Fitting::new(drops, asked, &members, Basis::covering(whole)).ok_or(
-            Error::TooFewDrops {
-                needed: 1,
-                drops: 0,
-            },
-        )?;
-        Ok(fitting.study(asked, at_speed_m_s, &ranges))
+        }
+        let (groups, places): (Vec<_>, Vec<_>) = members
+            .into_iter()
+            .map(|(levels, (sums, places))| ((levels, sums), places))
+            .unzip();
+        let fitting = Fitting::new(&groups, asked)?;
+        Ok(fitting.with_drops(fitting.study(), drops, &places))
+    }
+
+    /// Studies groups, each of its levels, by sums over their drops: without what needs each drop ([`Study::drops`], outliers
+    /// and the ruler's zero).
+    ///
+    /// # Errors
+    /// As [`Study::of`].
+    pub fn of_sums(groups: &[(Vec<Option<usize>>, GroupSums)], asked: &Asked) -> Result<Self> {
+        Ok(Fitting::new(groups, asked)?.study())
     }
 
     /// Restitution of a drop at the speed of the study, by its level and that of its operators, with its own error; `None` if
@@ -220,31 +218,6 @@ impl Study {
             sd: value * fitted.off.sd,
         })
     }
-}
-
-/// The drops of each group, by the levels that make it.
-type Members = BTreeMap<Vec<Option<usize>>, Vec<usize>>;
-
-fn members(drops: &[StudyDrop], used: &[usize], by: &[usize]) -> Members {
-    let mut members = Members::new();
-    for &place in used {
-        let levels = by.iter().map(|&factor| drops[place].levels[factor]);
-        members.entry(levels.collect()).or_default().push(place);
-    }
-    members
-}
-
-fn range(drops: &[StudyDrop], places: &[usize]) -> [f64; 2] {
-    let ranges = places.iter().map(|&place| drops[place].evidence.range_m_s);
-    ranges.reduce(wider).unwrap_or([1.0, 1.0])
-}
-
-fn wider(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0].min(b[0]), a[1].max(b[1])]
-}
-
-fn hull(ranges: &[[f64; 2]]) -> Option<[f64; 2]> {
-    ranges.iter().copied().reduce(wider)
 }
 
 fn holds([slowest, fastest]: &[f64; 2], speed_m_s: f64) -> bool {
@@ -268,129 +241,156 @@ fn common_speed_m_s(ranges: &[[f64; 2]], whole: [f64; 2]) -> f64 {
         .unwrap_or(middle)
 }
 
-/// The ball of a group, which may have no name; `None` if the group mixes balls.
-type BallOfGroup = Option<Option<usize>>;
+/// A group, fitted.
+struct FittedGroup<'a> {
+    levels: &'a [Option<usize>],
+    sums: &'a GroupSums,
+    range_m_s: [f64; 2],
+    inputs: Inputs,
+    fit: GroupFit,
+}
 
 /// All groups, fitted.
 struct Fitting<'a> {
-    drops: &'a [StudyDrop],
-    members: Vec<(&'a Vec<Option<usize>>, &'a Vec<usize>)>,
+    asked: &'a Asked,
+    at_speed_m_s: f64,
     frame: Frame,
-    /// The effects that each drop has.
-    effects_of: Vec<Vec<usize>>,
-    groups: Vec<GroupFit>,
-    /// The ball of each group.
-    balls: Vec<BallOfGroup>,
-    inputs: Vec<Inputs>,
+    /// The effect of the first level of each factor that scatters.
+    first_effects: Vec<usize>,
+    groups: Vec<FittedGroup<'a>>,
     effects: Vec<(f64, Effects)>,
     scatters: Vec<Estimate>,
 }
 
 impl<'a> Fitting<'a> {
-    fn new(
-        drops: &'a [StudyDrop],
-        asked: &Asked,
-        members: &'a Members,
-        basis: Basis,
-    ) -> Option<Self> {
-        let ball = |place: usize| asked.ball.and_then(|factor| drops[place].levels[factor]);
-        let balls: Vec<BallOfGroup> = members
-            .values()
-            .map(|places| {
-                let of: BTreeSet<Option<usize>> = places.iter().map(|&place| ball(place)).collect();
-                (of.len() == 1).then(|| ball(places[0]))
-            })
-            .collect();
-        let mut by_ball: BTreeMap<Option<Option<usize>>, Vec<usize>> = BTreeMap::new();
-        for (ball, places) in balls.iter().zip(members.values()) {
-            by_ball.entry(*ball).or_default().extend(places);
-        }
-        let by_ball: BTreeMap<_, Inputs> = by_ball
-            .into_iter()
-            .map(|(ball, places)| (ball, inputs(drops, &places)))
-            .collect();
-        let inputs: Vec<Inputs> = balls.iter().map(|ball| by_ball[ball]).collect();
-        let mut factors = Vec::new();
-        let mut effects_of = vec![Vec::new(); drops.len()];
-        for (number, &factor) in asked.random.iter().take(MAX_RANDOM).enumerate() {
-            let first = factors.len();
-            for (drop, effects) in drops.iter().zip(&mut effects_of) {
-                if let Some(level) = drop.levels[factor] {
-                    effects.push(first + level);
-                    factors.resize(factors.len().max(first + level + 1), number);
-                }
-            }
-        }
-        let frame = Frame::new(basis, factors);
-        let of_group = |(places, inputs): (&Vec<usize>, &Inputs)| {
-            GroupFit::new(&frame, &cells(&frame, drops, &effects_of, places), inputs)
+    fn new(groups: &'a [(Vec<Option<usize>>, GroupSums)], asked: &'a Asked) -> Result<Self> {
+        let too_few = Error::TooFewDrops {
+            needed: 1,
+            drops: 0,
         };
-        let groups = members
-            .values()
-            .zip(&inputs)
-            .map(of_group)
-            .collect::<Option<Vec<_>>>()?;
-        let (effects, scatters) = Effects::of(&frame, &groups, asked.random.len().min(MAX_RANDOM));
-        Some(Self {
-            drops,
-            members: members.iter().collect(),
+        let ranges: Vec<[f64; 2]> = groups
+            .iter()
+            .filter_map(|(_, sums)| sums.range_m_s())
+            .collect();
+        let Some(whole) = ranges.iter().copied().reduce(wider) else {
+            return Err(too_few);
+        };
+        let at_speed_m_s = match asked.at_speed_m_s {
+            Some(speed_m_s) => {
+                positive(Quantity::ImpactSpeed, speed_m_s)?;
+                if !ranges.iter().any(|range| holds(range, speed_m_s)) {
+                    return Err(too_few);
+                }
+                speed_m_s
+            }
+            None => common_speed_m_s(&ranges, whole),
+        };
+        let (mut factors, mut first_effects) = (Vec::new(), Vec::new());
+        for number in 0..asked.random.len().min(MAX_RANDOM) {
+            first_effects.push(factors.len());
+            let levels = groups.iter().flat_map(|(_, sums)| sums.levels());
+            let count = levels
+                .filter_map(|levels| levels[number])
+                .max()
+                .map_or(0, |last| last + 1);
+            factors.resize(factors.len() + count, number);
+        }
+        let frame = Frame::new(Basis::covering(whole), factors);
+        let mut fitted = Vec::new();
+        for ((levels, sums), range_m_s) in groups.iter().zip(ranges) {
+            let ball = sums.ball();
+            let of_ball = groups
+                .iter()
+                .map(|(_, other)| other)
+                .filter(|other| other.ball() == ball);
+            let inputs = GroupSums::inputs(of_ball);
+            let cells = cells(&frame, &first_effects, sums);
+            fitted.push(FittedGroup {
+                levels,
+                sums,
+                range_m_s,
+                fit: GroupFit::new(&frame, &cells, &inputs).ok_or_else(|| too_few.clone())?,
+                inputs,
+            });
+        }
+        let fits = fitted.iter().map(|group| &group.fit);
+        let (effects, scatters) = Effects::of(&frame, fits, first_effects.len());
+        Ok(Self {
+            asked,
+            at_speed_m_s,
             frame,
-            effects_of,
-            groups,
-            balls,
-            inputs,
+            first_effects,
+            groups: fitted,
             effects,
             scatters,
         })
     }
 
-    fn study(&self, asked: &Asked, at_speed_m_s: f64, ranges: &[[f64; 2]]) -> Study {
-        let mut fitted = vec![None; self.drops.len()];
-        let mut found_heights = vec![None; self.drops.len()];
-        for (group, (_, places)) in self.members.iter().enumerate() {
-            for &place in *places {
-                fitted[place] = Some((group, self.off(group, place)));
-                found_heights[place] = self.height(group, place);
+    /// The groups and their differences.
+    fn study(&self) -> Study {
+        let random = self.asked.random.iter().copied();
+        Study {
+            at_speed_m_s: self.at_speed_m_s,
+            groups: self.groups.iter().map(|group| self.group(group)).collect(),
+            differences: self.differences(),
+            scatters: random.zip(self.scatters.iter().copied()).collect(),
+            drops: Vec::new(),
+            ruler_zero_m: None,
+            outliers: Vec::new(),
+        }
+    }
+
+    /// The study with each drop in the light of the others, and what follows from it. Each group has its drops at these places.
+    fn with_drops(&self, mut study: Study, drops: &[StudyDrop], places: &[Vec<usize>]) -> Study {
+        let mut fitted = vec![None; drops.len()];
+        let mut found_heights = vec![None; drops.len()];
+        for (group, places) in places.iter().enumerate() {
+            for &place in places {
+                let effects = effects(&self.first_effects, &self.asked.effects_of(&drops[place]));
+                let evidence = &drops[place].evidence;
+                fitted[place] = Some(FittedDrop {
+                    group,
+                    off: self.off(group, evidence, &effects),
+                    of_operators: self.of_operators(&effects),
+                    height_m: None,
+                });
+                found_heights[place] = self.height(group, evidence, &effects);
             }
         }
         let (ruler_zero_m, found_heights) = heights::with_zero(&found_heights);
-        let places: Vec<usize> = (0..fitted.len())
-            .filter(|&place| fitted[place].is_some())
-            .collect();
-        let (groups_of, offs): (Vec<usize>, Vec<Measured>) =
-            fitted.iter().flatten().copied().unzip();
-        let outliers: Vec<Outlier> = outliers(&offs, &groups_of)
+        for (fitted, height_m) in fitted.iter_mut().zip(found_heights) {
+            if let Some(fitted) = fitted {
+                fitted.height_m = height_m;
+            }
+        }
+        let of_fitted = fitted
+            .iter()
+            .enumerate()
+            .filter_map(|(place, fitted)| Some((place, (*fitted)?)));
+        let (places_of, (groups_of, offs)): (Vec<usize>, (Vec<usize>, Vec<Measured>)) = of_fitted
+            .map(|(place, fitted)| (place, (fitted.group, fitted.off)))
+            .unzip();
+        let in_list = |outlier: Outlier| Outlier {
+            drop: places_of[outlier.drop],
+            ..outlier
+        };
+        study.outliers = outliers(&offs, &groups_of)
             .into_iter()
-            .map(|outlier| Outlier {
-                drop: places[outlier.drop],
-                ..outlier
-            })
+            .map(in_list)
             .collect();
-        let odd: BTreeSet<usize> = outliers.iter().map(|outlier| outlier.drop).collect();
-        let drops = (0..fitted.len()).map(|place| {
-            let (group, off) = fitted[place]?;
-            Some(FittedDrop {
-                group,
-                off,
-                of_operators: self.of_operators(place),
-                height_m: found_heights[place],
-            })
-        });
-        Study {
-            at_speed_m_s,
-            groups: (0..self.groups.len())
-                .map(|group| self.group(group, asked, at_speed_m_s, ranges[group], &odd))
-                .collect(),
-            differences: self.differences(at_speed_m_s, ranges),
-            scatters: asked
-                .random
+        let odd: BTreeSet<usize> = study.outliers.iter().map(|outlier| outlier.drop).collect();
+        for ((group, of_group), places) in study.groups.iter_mut().zip(&self.groups).zip(places) {
+            let others = places
                 .iter()
-                .copied()
-                .zip(self.scatters.iter().copied())
-                .collect(),
-            drops: drops.collect(),
+                .filter(|place| !odd.contains(place))
+                .map(|&place| &drops[place]);
+            group.without_outliers = self.without_outliers(of_group, others);
+            group.drops.clone_from(places);
+        }
+        Study {
+            drops: fitted,
             ruler_zero_m,
-            outliers,
+            ..study
         }
     }
 
@@ -406,36 +406,39 @@ impl<'a> Fitting<'a> {
     }
 
     /// The level of the operators of a drop above that of its group.
-    fn of_operators(&self, place: usize) -> f64 {
-        let effects = &self.likeliest_effects().mean;
-        self.effects_of[place].iter().map(|&it| effects[it]).sum()
+    fn of_operators(&self, effects: &[usize]) -> f64 {
+        let levels = &self.likeliest_effects().mean;
+        effects.iter().map(|&effect| levels[effect]).sum()
     }
 
     /// The level of a drop above that of its group and operators: that of its readings v - X β - a o - L z, by least squares.
-    fn off(&self, group: usize, place: usize) -> Measured {
-        let rows = Rows::new(&self.frame.basis, &self.drops[place].evidence);
+    fn off(&self, group: usize, evidence: &CurveEvidence, effects: &[usize]) -> Measured {
+        let group = &self.groups[group];
+        let rows = Rows::new(&self.frame.basis, evidence);
         let len = self.frame.basis.len();
         let along = rows.table.tr_mul(&rows.level);
-        let linear = self.groups[group].likeliest_linear(&along.rows(0, len).into_owned());
+        let linear = group.fit.likeliest_linear(&along.rows(0, len).into_owned());
         let of_inputs = along
             .fixed_rows::<SHARED_INPUTS>(len)
-            .dot(&self.inputs[group].mean);
+            .dot(&group.inputs.mean);
         let of_curve = linear.mean + linear.by_effects.dot(&self.likeliest_effects().mean);
         Measured {
             value: (along[len + SHARED_INPUTS] - of_curve - of_inputs) / rows.precision()
-                - self.of_operators(place),
+                - self.of_operators(effects),
             sd: rows.precision().sqrt().recip(),
         }
     }
 
-    fn height(&self, group: usize, place: usize) -> Option<Height> {
+    fn height(&self, group: usize, evidence: &CurveEvidence, effects: &[usize]) -> Option<Height> {
+        let group = &self.groups[group];
+        let of_all = self.likeliest_effects();
         Height::new(
             &self.frame,
-            &self.drops[place].evidence,
-            &self.effects_of[place],
-            &self.groups[group],
-            self.likeliest_effects(),
-            &self.inputs[group],
+            evidence,
+            effects,
+            &group.fit,
+            of_all,
+            &group.inputs,
         )
     }
 
@@ -445,60 +448,30 @@ impl<'a> Fitting<'a> {
         distribution(&linear, None, &self.effects, [inputs; 2])
     }
 
-    fn group(
-        &self,
-        index: usize,
-        asked: &Asked,
-        at_speed_m_s: f64,
-        range_m_s: [f64; 2],
-        odd: &BTreeSet<usize>,
-    ) -> Group {
-        let (fit, inputs) = (&self.groups[index], &self.inputs[index]);
-        let (levels, places) = self.members[index];
-        let restitution = |group: &GroupFit, speed_m_s: f64| {
-            self.at(group, inputs, speed_m_s)
-                .estimate(f64::exp, f64::exp)
-        };
-        let has_speed = holds(&range_m_s, at_speed_m_s);
-        let here = has_speed.then(|| restitution(fit, at_speed_m_s));
+    fn group(&self, group: &FittedGroup<'_>) -> Group {
+        let (fit, inputs, at_speed_m_s) = (&group.fit, &group.inputs, self.at_speed_m_s);
+        let restitution = |speed_m_s: f64| self.restitution(fit, inputs, speed_m_s);
+        let has_speed = holds(&group.range_m_s, at_speed_m_s);
+        let here = has_speed.then(|| restitution(at_speed_m_s));
         let linear = fit.linear(&self.frame.basis.at(at_speed_m_s));
-        let next = here.map(|_| self.next(&linear, inputs));
-        let others: Vec<usize> = places
-            .iter()
-            .copied()
-            .filter(|place| !odd.contains(place))
-            .collect();
-        let without = (1..places.len()).contains(&others.len()).then(|| {
-            GroupFit::new(
-                &self.frame,
-                &cells(&self.frame, self.drops, &self.effects_of, &others),
-                inputs,
-            )
-        });
         let one_drop = fit.scatter.value.hypot(fit.own_sd);
         let shared = self.shared(fit, inputs, at_speed_m_s);
-        let operators = asked
-            .random
-            .iter()
-            .zip(&self.scatters)
-            .filter(|(factor, _)| Some(**factor) != asked.ball);
+        let operators = self.asked.random.iter().zip(&self.scatters);
+        let operators = operators.filter(|(factor, _)| Some(**factor) != self.asked.ball);
         let operators = operators
             .map(|(_, scatter)| scatter.value)
             .reduce(f64::hypot);
         Group {
-            levels: levels.clone(),
-            count: places.len(),
-            drops: places.clone(),
-            range_m_s,
+            levels: group.levels.to_vec(),
+            count: group.sums.drops(),
+            drops: Vec::new(),
+            range_m_s: group.range_m_s,
             restitution: here,
             shared_sd: here.map(|here| here.value * shared),
-            next95: next,
-            without_outliers: without
-                .flatten()
-                .filter(|_| has_speed)
-                .map(|without| restitution(&without, at_speed_m_s)),
+            next95: here.map(|_| self.next(&linear, inputs)),
+            without_outliers: None,
             between_drops: fit.scatter,
-            between_impacts: median(places.iter().filter_map(|&place| self.drops[place].scatter)),
+            between_impacts: group.sums.between_impacts(),
             own_sd: fit.own_sd,
             repeatability_sd: here.map(|here| {
                 mapped(&fit.scatter, |scatter| {
@@ -510,17 +483,39 @@ impl<'a> Fitting<'a> {
                 .map(|(here, between)| here.value * one_drop.hypot(between)),
             drops_needed: here.and_then(|here| {
                 let [low, high] = here.interval95;
-                let wanted = asked.wanted.unwrap_or(0.25 * (high - low));
+                let wanted = self.asked.wanted.unwrap_or(0.25 * (high - low));
                 drops_needed(one_drop, shared, wanted / here.value)
             }),
-            curve: speeds(range_m_s)
+            curve: speeds(group.range_m_s)
                 .into_iter()
                 .map(|speed_m_s| CurvePoint {
                     speed_m_s,
-                    restitution: restitution(fit, speed_m_s),
+                    restitution: restitution(speed_m_s),
                 })
                 .collect(),
         }
+    }
+
+    fn restitution(&self, fit: &GroupFit, inputs: &Inputs, speed_m_s: f64) -> Estimate {
+        self.at(fit, inputs, speed_m_s).estimate(f64::exp, f64::exp)
+    }
+
+    /// The restitution of a group at the speed of the study by some of its drops, if these are neither none nor all.
+    fn without_outliers<'d>(
+        &self,
+        group: &FittedGroup<'_>,
+        drops: impl Iterator<Item = &'d StudyDrop>,
+    ) -> Option<Estimate> {
+        let mut sums = GroupSums::default();
+        drops.for_each(|drop| sums.add(drop, self.asked));
+        if !(1..group.sums.drops()).contains(&sums.drops())
+            || !holds(&group.range_m_s, self.at_speed_m_s)
+        {
+            return None;
+        }
+        let cells = cells(&self.frame, &self.first_effects, &sums);
+        let fit = GroupFit::new(&self.frame, &cells, &group.inputs)?;
+        Some(self.restitution(&fit, &group.inputs, self.at_speed_m_s))
     }
 
     /// Relative standard uncertainty of a group at a speed by what no number of drops makes smaller: inputs and operators.
@@ -549,26 +544,24 @@ impl<'a> Fitting<'a> {
             .interval95
     }
 
-    fn differences(&self, at_speed_m_s: f64, ranges: &[[f64; 2]]) -> Vec<Difference> {
+    fn differences(&self) -> Vec<Difference> {
         /// More groups have too many pairs.
         const FEW: usize = 6;
         let is_wanted = |of: usize, less: usize| {
-            let levels = std::iter::zip(self.members[of].0, self.members[less].0);
+            let levels = std::iter::zip(self.groups[of].levels, self.groups[less].levels);
             self.groups.len() <= FEW || levels.filter(|(one, other)| one != other).count() == 1
         };
         let pairs = (0..self.groups.len())
             .flat_map(|less| (less + 1..self.groups.len()).map(move |of| (of, less)));
         let difference = |(of, less): (usize, usize)| {
-            let common = [
-                ranges[of][0].max(ranges[less][0]),
-                ranges[of][1].min(ranges[less][1]),
-            ];
-            let is_common = holds(&common, at_speed_m_s);
+            let [one, other] = [of, less].map(|group| self.groups[group].range_m_s);
+            let common = [one[0].max(other[0]), one[1].min(other[1])];
+            let is_common = holds(&common, self.at_speed_m_s);
             let has_range = common[0] < common[1];
             Difference {
                 of,
                 less,
-                at_speed: is_common.then(|| self.compared([of, less], &[at_speed_m_s])),
+                at_speed: is_common.then(|| self.compared([of, less], &[self.at_speed_m_s])),
                 over_range: has_range.then(|| self.compared([of, less], &evenly(common))),
                 range_m_s: has_range.then_some(common),
             }
@@ -583,8 +576,7 @@ impl<'a> Fitting<'a> {
     fn compared(&self, pair: [usize; 2], speeds_m_s: &[f64]) -> Compared {
         let mut constant = [0.0; 2];
         let [of, less] = [0, 1].map(|number| {
-            let group = pair[number];
-            let (fit, inputs) = (&self.groups[group], &self.inputs[group]);
+            let FittedGroup { fit, inputs, .. } = &self.groups[pair[number]];
             let mut along = DVector::zeros(self.frame.basis.len());
             for &speed_m_s in speeds_m_s {
                 let at = self.at(fit, inputs, speed_m_s).mean();
@@ -595,13 +587,13 @@ impl<'a> Fitting<'a> {
             fit.linear(&along)
         });
         let constant = constant[0] - constant[1];
-        let [one, other] = pair.map(|group| self.balls[group]);
+        let [one, other] = pair.map(|group| self.groups[group].sums.ball());
         let same = one == other && one.is_some();
         let mixture = distribution(
             &of,
             Some((&less, same)),
             &self.effects,
-            pair.map(|group| &self.inputs[group]),
+            pair.map(|group| &self.groups[group].inputs),
         );
         Compared {
             difference: mixture.estimate(|value| value + constant, |_| 1.0),
@@ -610,42 +602,21 @@ impl<'a> Fitting<'a> {
     }
 }
 
-/// The sums over some drops of a group, for each set of effects.
-fn cells(
-    frame: &Frame,
-    drops: &[StudyDrop],
-    effects_of: &[Vec<usize>],
-    places: &[usize],
-) -> Vec<Cell> {
-    let mut cells: BTreeMap<&Vec<usize>, Sums> = BTreeMap::new();
-    for &place in places {
-        let sums = cells
-            .entry(&effects_of[place])
-            .or_insert_with(|| Sums::new(&frame.basis));
-        sums.add(&Rows::new(&frame.basis, &drops[place].evidence));
-    }
-    let cells = cells.into_iter();
-    cells
-        .map(|(effects, sums)| Cell {
-            effects: effects.clone(),
-            sums,
-        })
+/// The effects of these levels of the factors that scatter, by index.
+fn effects(first: &[usize], levels: &[Option<usize>]) -> Vec<usize> {
+    let of_factors = std::iter::zip(first, levels);
+    of_factors
+        .filter_map(|(first, level)| Some(first + (*level)?))
         .collect()
 }
 
-/// What drops share: the mean over them of what each knows.
-fn inputs(drops: &[StudyDrop], places: &[usize]) -> Inputs {
-    let (mut mean, mut covariance) = (Shared::zeros(), SMatrix::zeros());
-    for &place in places {
-        let evidence = &drops[place].evidence;
-        mean += Shared::from(evidence.inputs);
-        covariance += SMatrix::from(evidence.inputs_covariance);
-    }
-    let count = places.len() as f64;
-    Inputs {
-        mean: mean / count,
-        covariance: covariance / count,
-    }
+/// The sums of a group for each set of effects, over the common basis.
+fn cells(frame: &Frame, first_effects: &[usize], sums: &GroupSums) -> Vec<Cell> {
+    let of_levels = |(levels, sums): (&[Option<usize>], Sums)| Cell {
+        effects: effects(first_effects, levels),
+        sums,
+    };
+    sums.cells(frame.basis).map(of_levels).collect()
 }
 
 /// An estimate of a function that grows with the value.

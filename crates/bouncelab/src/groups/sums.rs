@@ -1,8 +1,12 @@
 //! Sums over drops from which a group is fitted: a million drops are as many numbers as one.
 
-use nalgebra::{DMatrix, DVector};
+use std::collections::BTreeSet;
+
+use nalgebra::{DMatrix, DVector, SMatrix};
 
 use super::evidence::{CurveEvidence, SHARED_INPUTS};
+use super::fit::{Inputs, Shared};
+use super::study::{Asked, StudyDrop};
 use crate::restitution::WALK;
 
 /// Distance of the knots of the curve in ln v: an octave.
@@ -28,21 +32,34 @@ pub(super) fn scatter_at(index: usize) -> f64 {
 }
 
 /// ln e as a cubic B-spline of ln v. Its functions sum to one, so that all coefficients move by as much as the level.
+///
+/// The knots are powers of two of 1 m/s, whatever the range: a wider basis has the functions of a narrower one, and more.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Basis {
     /// The first knot, in units of [`KNOTS`].
-    first: f64,
+    first: i32,
     intervals: usize,
 }
 
 impl Basis {
     /// The basis that covers a range of speeds, m/s.
     pub(super) fn covering([slowest_m_s, fastest_m_s]: [f64; 2]) -> Self {
-        let first = (slowest_m_s.ln() / KNOTS).floor();
-        let last = (fastest_m_s.ln() / KNOTS).ceil();
+        let first = (slowest_m_s.ln() / KNOTS).floor() as i32;
+        let last = (fastest_m_s.ln() / KNOTS).ceil() as i32;
         Self {
             first,
-            intervals: (last - first).max(1.0) as usize,
+            intervals: (last - first).max(1) as usize,
+        }
+    }
+
+    /// The narrowest basis that has the functions of both.
+    pub(super) fn joined(self, other: Self) -> Self {
+        let last = |of: Self| of.first + of.intervals as i32;
+        let first = self.first.min(other.first);
+        Self {
+            first,
+            intervals: (last(self).max(last(other)) - first) as usize,
         }
     }
 
@@ -53,7 +70,7 @@ impl Basis {
 
     /// The functions at a speed; beyond the knots they stay.
     pub(super) fn at(&self, speed_m_s: f64) -> DVector<f64> {
-        let x = (speed_m_s.ln() / KNOTS - self.first).clamp(0.0, self.intervals as f64);
+        let x = (speed_m_s.ln() / KNOTS - f64::from(self.first)).clamp(0.0, self.intervals as f64);
         let interval = (x as usize).min(self.intervals - 1);
         let t = x - interval as f64;
         let mut values = DVector::zeros(self.len());
@@ -131,33 +148,41 @@ impl Rows {
 }
 
 /// Sums over the drops of a group that have the same operator.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Sums {
     pub(super) drops: usize,
+    basis: Basis,
     /// Products of the columns of [`Rows`], without scatter between drops.
     plain: DMatrix<f64>,
     /// What each scatter takes off them.
     scattered: Vec<DMatrix<f64>>,
     /// Sum of ln(1 + τ² a'a).
-    log_determinants: [f64; SCATTERS],
+    log_determinants: Vec<f64>,
     /// Sum of the variances of the levels by the drops' own errors.
     own_variance: f64,
 }
 
 impl Sums {
-    pub(super) fn new(basis: &Basis) -> Self {
+    fn new(basis: Basis) -> Self {
         let columns = basis.len() + SHARED_INPUTS + 1;
         let zeros = DMatrix::zeros(columns, columns);
         Self {
             drops: 0,
+            basis,
             scattered: vec![zeros.clone(); SCATTERS],
             plain: zeros,
-            log_determinants: [0.0; SCATTERS],
+            log_determinants: vec![0.0; SCATTERS],
             own_variance: 0.0,
         }
     }
 
-    pub(super) fn add(&mut self, rows: &Rows) {
+    fn add(&mut self, evidence: &CurveEvidence) {
+        let basis = self.basis.joined(Basis::covering(evidence.range_m_s));
+        if basis != self.basis {
+            *self = self.over(basis);
+        }
+        let rows = Rows::new(&basis, evidence);
         self.drops += 1;
         self.plain.gemm_tr(1.0, &rows.table, &rows.table, 1.0);
         self.own_variance += 1.0 / rows.precision();
@@ -167,6 +192,45 @@ impl Sums {
             self.scattered[index].ger(rows.shrinkage(scatter), &along, &along, 1.0);
             self.log_determinants[index] += (scatter * scatter * rows.precision()).ln_1p();
         }
+    }
+
+    /// The same sums by a basis that has all functions of this one.
+    pub(super) fn over(&self, basis: Basis) -> Self {
+        let (before, len) = (self.basis.len(), self.plain.ncols());
+        let more = basis.len() - before;
+        let offset = (self.basis.first - basis.first) as usize;
+        let place = |column: usize| column + if column < before { offset } else { more };
+        let widened = |sums: &DMatrix<f64>| {
+            let mut wide = DMatrix::zeros(len + more, len + more);
+            for column in 0..len {
+                for row in 0..len {
+                    wide[(place(row), place(column))] = sums[(row, column)];
+                }
+            }
+            wide
+        };
+        Self {
+            basis,
+            plain: widened(&self.plain),
+            scattered: self.scattered.iter().map(widened).collect(),
+            log_determinants: self.log_determinants.clone(),
+            ..*self
+        }
+    }
+
+    fn merge(&mut self, other: &Self) {
+        let basis = self.basis.joined(other.basis);
+        let (mut sum, other) = (self.over(basis), other.over(basis));
+        sum.drops += other.drops;
+        sum.plain += other.plain;
+        sum.own_variance += other.own_variance;
+        for (scattered, of_other) in sum.scattered.iter_mut().zip(other.scattered) {
+            *scattered += of_other;
+        }
+        for (log, of_other) in sum.log_determinants.iter_mut().zip(other.log_determinants) {
+            *log += of_other;
+        }
+        *self = sum;
     }
 
     /// The products at a scatter, and the logarithm of the determinant of the covariance.
@@ -181,4 +245,150 @@ impl Sums {
     pub(super) fn own_variance(&self) -> f64 {
         self.own_variance
     }
+}
+
+/// What the drops of a group add to a study, as sums: of parts that were read apart they are merged.
+///
+/// ```
+/// use bouncelab::groups::{Asked, CurveEvidence, GroupSums, Study, StudyDrop};
+/// use bouncelab::inference::Measured;
+///
+/// let asked = Asked::default();
+/// let sums = |values: &[f64]| {
+///     let mut sums = GroupSums::default();
+///     for &value in values {
+///         let evidence = CurveEvidence::measured(&[(1.0, Measured { value, sd: 0.001 })]);
+///         sums.add(&StudyDrop { evidence, scatter: None, levels: Vec::new() }, &asked);
+///     }
+///     sums
+/// };
+/// let mut all = sums(&[0.921, 0.924]);
+/// all.merge(&sums(&[0.919, 0.926]));
+/// let study = Study::of_sums(&[(Vec::new(), all)], &asked)?;
+/// assert!((study.groups[0].restitution.unwrap().value - 0.9225).abs() < 2e-4);
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
+#[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct GroupSums {
+    drops: usize,
+    range_m_s: Option<[f64; 2]>,
+    balls: BTreeSet<Option<usize>>,
+    /// Sums over the drops of what each knows of the inputs that all of a ball share.
+    inputs: Shared,
+    inputs_covariance: SMatrix<f64, SHARED_INPUTS, SHARED_INPUTS>,
+    /// Sum of the logarithms of the scatters from impact to impact, and of how many drops.
+    ln_scatter: f64,
+    with_scatter: usize,
+    /// The sums for each choice of levels of the factors that scatter, in their order.
+    cells: Vec<(Vec<Option<usize>>, Sums)>,
+}
+
+impl GroupSums {
+    /// Adds a drop, with what will be asked; one whose evidence is not usable adds nothing.
+    pub fn add(&mut self, drop: &StudyDrop, asked: &Asked) {
+        let evidence = &drop.evidence;
+        if !evidence.is_usable() {
+            return;
+        }
+        self.drops += 1;
+        self.range_m_s = self
+            .range_m_s
+            .into_iter()
+            .chain([evidence.range_m_s])
+            .reduce(wider);
+        self.balls
+            .insert(asked.ball.and_then(|factor| drop.levels[factor]));
+        self.inputs += Shared::from(evidence.inputs);
+        self.inputs_covariance += SMatrix::from(evidence.inputs_covariance);
+        if let Some(scatter) = drop.scatter {
+            self.ln_scatter += scatter.ln();
+            self.with_scatter += 1;
+        }
+        self.cell(asked.effects_of(drop), Basis::covering(evidence.range_m_s))
+            .add(evidence);
+    }
+
+    /// Adds the drops of other sums, which were made with the same question and the same numbers of levels.
+    pub fn merge(&mut self, other: &Self) {
+        self.drops += other.drops;
+        self.range_m_s = self
+            .range_m_s
+            .into_iter()
+            .chain(other.range_m_s)
+            .reduce(wider);
+        self.balls.extend(&other.balls);
+        self.inputs += other.inputs;
+        self.inputs_covariance += other.inputs_covariance;
+        self.ln_scatter += other.ln_scatter;
+        self.with_scatter += other.with_scatter;
+        for (levels, sums) in &other.cells {
+            self.cell(levels.clone(), sums.basis).merge(sums);
+        }
+    }
+
+    /// Number of drops.
+    pub fn drops(&self) -> usize {
+        self.drops
+    }
+
+    /// The slowest and the fastest of their impacts, m/s; `None` without a drop.
+    pub fn range_m_s(&self) -> Option<[f64; 2]> {
+        self.range_m_s
+    }
+
+    fn cell(&mut self, levels: Vec<Option<usize>>, basis: Basis) -> &mut Sums {
+        let place = match self.cells.binary_search_by(|(of, _)| of.cmp(&levels)) {
+            Ok(place) => place,
+            Err(place) => {
+                self.cells.insert(place, (levels, Sums::new(basis)));
+                place
+            }
+        };
+        &mut self.cells[place].1
+    }
+
+    /// The ball that all drops are of, which may have no name; `None` if they mix balls.
+    pub(super) fn ball(&self) -> Option<Option<usize>> {
+        self.balls
+            .first()
+            .copied()
+            .filter(|_| self.balls.len() == 1)
+    }
+
+    /// Typical scatter from impact to impact, relative: the geometric mean.
+    pub(super) fn between_impacts(&self) -> Option<f64> {
+        (self.with_scatter > 0).then(|| (self.ln_scatter / self.with_scatter as f64).exp())
+    }
+
+    /// Sums of what drops know of the inputs, over groups of one ball: the mean over their drops.
+    pub(super) fn inputs<'a>(groups: impl IntoIterator<Item = &'a Self>) -> Inputs {
+        let (mut mean, mut covariance, mut drops) = (Shared::zeros(), SMatrix::zeros(), 0.0);
+        for group in groups {
+            mean += group.inputs;
+            covariance += group.inputs_covariance;
+            drops += group.drops as f64;
+        }
+        Inputs {
+            mean: mean / drops,
+            covariance: covariance / drops,
+        }
+    }
+
+    /// The sums over a basis of all groups.
+    pub(super) fn cells(&self, basis: Basis) -> impl Iterator<Item = (&[Option<usize>], Sums)> {
+        self.cells
+            .iter()
+            .map(move |(levels, sums)| (levels.as_slice(), sums.over(basis)))
+    }
+
+    /// The levels of the factors that scatter.
+    pub(super) fn levels(&self) -> impl Iterator<Item = &[Option<usize>]> {
+        self.cells.iter().map(|(levels, _)| levels.as_slice())
+    }
+}
+
+/// The range that holds both.
+pub(super) fn wider(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0].min(b[0]), a[1].max(b[1])]
 }
