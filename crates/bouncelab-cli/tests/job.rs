@@ -6,6 +6,10 @@ use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
+use bouncelab::synth::{self, Scene};
+use bouncelab_audio::{SampleFormat, SoundReader};
+use bouncelab_session::hash::hash_of_file;
+use bouncelab_testkit::{strikes, write_wav};
 use predicates::prelude::*;
 use serde_json::Value;
 use support::write_simulated_times;
@@ -139,25 +143,212 @@ fn a_job_goes_on_after_a_crash() {
     job(&folder, &["add", "court", "a.txt", "b.txt"])
         .assert()
         .success();
-    let journal = folder.path().join("court/drops.jsonl");
-    let whole = fs::read(&journal).unwrap();
-    fs::write(&journal, &whole[..whole.len() - 10]).unwrap();
+    let journal = folder.path().join("court/journal.jsonl");
+    let whole = fs::read_to_string(&journal).unwrap();
+    // The crash cut off the line of the second recording; its result was not written yet.
+    let lines: Vec<&str> = whole.lines().collect();
+    assert_eq!(lines.len(), 4, "{whole}");
+    let torn = &lines[2][..lines[2].len() - 10];
+    fs::write(&journal, [lines[0], lines[1], torn].join("\n")).unwrap();
     job(&folder, &["add", "court", "c.txt"])
         .assert()
         .success()
         .stdout(predicate::str::contains("3  reference, drop 2 of 5"));
-    let lines = fs::read_to_string(&journal).unwrap();
-    assert_eq!(lines.lines().count(), 2, "{lines}");
-    assert!(folder.path().join("court/sounds/002.txt").is_file());
+    // The sound of the second is kept, and named until it is counted.
+    let second = folder.path().join("court/sounds/002.txt");
+    job(&folder, &["show", "court"])
+        .assert()
+        .stderr(predicate::str::contains(
+            "002.txt is kept but does not count",
+        ));
+    job(&folder, &["add", "court", "court/sounds/002.txt"])
+        .assert()
+        .success()
+        .stdout(predicate::str::contains("2  reference, drop 3 of 5"));
+    assert!(second.is_file() && !folder.path().join("court/sounds/004.txt").exists());
+    job(&folder, &["show", "court"])
+        .assert()
+        .stderr(predicate::str::contains("does not count").not());
     fs::write(folder.path().join("court/sounds/001.txt"), "0\n1\n").unwrap();
     job(&folder, &["show", "court"])
         .assert()
         .code(1)
         .stderr(predicate::str::contains("001.txt: it was changed"));
-    // A whole line that is no event is not skipped.
+    // A damaged line within the journal does not go unnoticed, nor is a file of another kind taken for one.
+    let damaged = fs::read_to_string(&journal)
+        .unwrap()
+        .replacen("a.txt", "A.txt", 1);
+    fs::write(&journal, damaged).unwrap();
+    job(&folder, &["show", "court"])
+        .assert()
+        .stderr(predicate::str::contains("journal.jsonl is damaged"))
+        .stderr(predicate::str::contains(
+            "001.txt is kept but does not count",
+        ));
     fs::write(&journal, "{}\n").unwrap();
     job(&folder, &["show", "court"])
         .assert()
         .code(1)
-        .stderr(predicate::str::contains("line 1"));
+        .stderr(predicate::str::contains("no journal of bouncelab"));
+}
+
+/// Results are kept with the hash of what they depend on: another setting has other results, the same has the same.
+#[test]
+fn a_result_is_worked_out_once_for_each_setting() {
+    let folder = TempDir::new().unwrap();
+    court(&folder);
+    drop(folder.path(), "a.txt", 0.80);
+    job(&folder, &["add", "court", "a.txt"]).assert().success();
+    let lines = || {
+        let journal = fs::read_to_string(folder.path().join("court/journal.jsonl"));
+        journal.unwrap().lines().count()
+    };
+    let shown = || job(&folder, &["show", "court"]).output().unwrap().stdout;
+    let (first, before) = (shown(), lines());
+    assert_eq!((shown(), lines()), (first.clone(), before));
+    let path = folder.path().join("court/job.toml");
+    let notes = fs::read_to_string(&path).unwrap();
+    fs::write(&path, notes.replace("height_m = 1.27", "height_m = 1.28")).unwrap();
+    assert_ne!(shown(), first);
+    assert_eq!(lines(), before + 1);
+    fs::write(&path, notes).unwrap();
+    assert_eq!((shown(), lines()), (first, before + 1));
+}
+
+/// A recording of a drop of a table-tennis ball from 30.5 cm.
+fn sound(folder: &Path, name: &str, seed: u64) {
+    // Without drag, e = 0.9.
+    let impacts: Vec<_> = strikes(2.446, 0.9).take(12).collect();
+    let scene = Scene {
+        tail_s: 5.0,
+        ..Scene::default()
+    };
+    let sound = synth::render(&impacts, &scene, seed).unwrap();
+    let (path, rate_hz) = (folder.join(name), sound.sample_rate_hz);
+    write_wav(&path, rate_hz, SampleFormat::Float32, &[&sound.samples]);
+}
+
+/// A job of a ball with three drops.
+fn ball(folder: &TempDir) {
+    let new = ["new", "ball", "--rule", "ittf-ball", "--drops", "3"];
+    job(folder, &new).assert().success();
+}
+
+/// What is recorded is kept as it came, with its hash, and counted in its place; what is repeated is recorded anew.
+#[test]
+fn drops_are_recorded_one_after_the_other() {
+    let folder = TempDir::new().unwrap();
+    ball(&folder);
+    for number in 1..=4 {
+        sound(folder.path(), &format!("{number}.wav"), number);
+    }
+    let listen = |files: &[&str]| {
+        job(
+            &folder,
+            &[&["listen", "ball", "--fast", "--from"], files].concat(),
+        )
+        .assert()
+    };
+    listen(&["1.wav", "2.wav"])
+        .success()
+        .stderr(predicate::str::contains("place 1 of 1, drop 1 of 3"))
+        .stdout(predicate::str::contains("2  place 1 of 1, drop 2 of 3"))
+        .stdout(predicate::str::contains("So far "));
+    job(&folder, &["repeat", "ball", "2", "--reason", "a cough"])
+        .assert()
+        .success();
+    // A recording that is there already is no other drop.
+    listen(&["1.wav"])
+        .code(2)
+        .stderr(predicate::str::contains("is recording 1 of the job"));
+    listen(&["3.wav", "4.wav"])
+        .success()
+        .stderr(predicate::str::contains("place 1 of 1, drop 2 of 3"));
+    // Every place has its drops.
+    listen(&["4.wav"]).code(1);
+    let shown = job(&folder, &["show", "ball"]).assert().code(5);
+    let shown = String::from_utf8_lossy(&shown.get_output().stdout).into_owned();
+    assert!(shown.contains("repeated: a cough"), "{shown}");
+    assert!(shown.contains("place 1 of 1, drop 3 of 3"), "{shown}");
+    let events: Vec<Value> = fs::read_to_string(folder.path().join("ball/journal.jsonl"))
+        .unwrap()
+        .lines()
+        .map(|line| serde_json::from_str(line.split_once(' ').unwrap().1).unwrap())
+        .collect();
+    let added = events
+        .iter()
+        .filter(|line| line["result"]["event"] == "added");
+    for (line, played) in added.zip(["1.wav", "2.wav", "3.wav", "4.wav"]) {
+        let file = folder
+            .path()
+            .join("ball")
+            .join(line["name"].as_str().unwrap());
+        assert_eq!(
+            samples(&file),
+            samples(&folder.path().join(played)),
+            "{played}"
+        );
+        let sha256 = hash_of_file(&file).unwrap().to_string();
+        assert_eq!(line["result"]["sha256"], sha256);
+        assert_eq!(line["result"]["given_as"], *played);
+    }
+}
+
+/// All samples of the first channel, but for those after the last block that was played.
+fn samples(file: &Path) -> Vec<f32> {
+    let mut source = SoundReader::open(file).unwrap();
+    let mut samples = Vec::new();
+    while let Some(block) = source.next_block().unwrap() {
+        samples.extend_from_slice(block.channel(0));
+    }
+    // It is recorded until the drop is over, 2 s after the last impact at the earliest.
+    samples.truncate(4 * source.sample_rate_hz() as usize);
+    samples
+}
+
+/// A disk that is full at any point: what was acknowledged counts, no sound is lost that was, and the job goes on.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_loses_nothing() {
+    let folder = TempDir::new().unwrap();
+    ball(&folder);
+    sound(folder.path(), "1.wav", 1);
+    sound(folder.path(), "2.wav", 2);
+    job(&folder, &["add", "ball", "1.wav"]).assert().success();
+    let journal = folder.path().join("ball/journal.jsonl");
+    let before = fs::read(&journal).unwrap();
+    let first = fs::read(folder.path().join("ball/sounds/001.wav")).unwrap();
+    let whole_kb = fs::metadata(folder.path().join("2.wav"))
+        .unwrap()
+        .len()
+        .div_ceil(1024);
+    // No file may be longer than this: the sound does not fit, or the journal cannot grow.
+    let journal_kb = before.len() as u64 / 1024;
+    for (limit_kb, what) in [
+        (1, "add ball 2.wav"),
+        (whole_kb / 2, "add ball 2.wav"),
+        (journal_kb, "repeat ball 1 --reason noise"),
+        (whole_kb / 2, "listen ball --fast --from 2.wav"),
+    ] {
+        let program = env!("CARGO_BIN_EXE_bouncelab");
+        let command = format!("ulimit -f {limit_kb}; exec {program} job {what}");
+        let mut shell = Command::new("bash");
+        shell.current_dir(&folder).args(["-c", &command]);
+        shell
+            .assert()
+            .code(1)
+            .stderr(predicate::str::contains("too large"));
+        assert_eq!(fs::read(&journal).unwrap(), before, "{what}");
+    }
+    assert_eq!(
+        fs::read(folder.path().join("ball/sounds/001.wav")).unwrap(),
+        first
+    );
+    // What was heard until the disk was full is kept.
+    let heard = folder.path().join("ball/sounds/002.wav");
+    assert!(!samples(&heard).is_empty());
+    job(&folder, &["add", "ball", "2.wav"])
+        .assert()
+        .success()
+        .stdout(predicate::str::contains("3  place 1 of 1, drop 2 of 3"));
 }

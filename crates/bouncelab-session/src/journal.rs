@@ -108,6 +108,28 @@ impl Journal {
     /// [`Error::Output`] if the folder cannot be written into, or the file with the name of the journal is another one,
     /// [`Error::Busy`] if another run has it open, [`Error::Read`] if the journal cannot be read.
     pub fn open(folder: &Path) -> Result<Self> {
+        Self::locked(folder, |file| match file.try_lock() {
+            Err(TryLockError::WouldBlock) => Err(Error::Busy {
+                path: folder.to_owned(),
+            }),
+            // Some network drives have no locks; the run continues without one.
+            _ => Ok(()),
+        })
+    }
+
+    /// The same for a moment: waits until no other run has it open.
+    ///
+    /// # Errors
+    /// As [`Journal::open`], without [`Error::Busy`].
+    pub fn open_in_turn(folder: &Path) -> Result<Self> {
+        Self::locked(folder, |file| {
+            // As above.
+            let _ = file.lock();
+            Ok(())
+        })
+    }
+
+    fn locked(folder: &Path, lock: impl FnOnce(&File) -> Result<()>) -> Result<Self> {
         create_folder(folder).map_err(Error::output(folder))?;
         let path = folder.join(JOURNAL);
         // A device or a pipe may have no end.
@@ -122,12 +144,7 @@ impl Journal {
             .create(true)
             .open(&path)
             .map_err(Error::output(folder))?;
-        // Some network drives have no locks; the run continues without one.
-        if let Err(TryLockError::WouldBlock) = file.try_lock() {
-            return Err(Error::Busy {
-                path: folder.to_owned(),
-            });
-        }
+        lock(&file)?;
         sync_name(&path).map_err(Error::output(folder))?;
         let scan = Scan::of(&file).map_err(Error::read(&path))?;
         if scan.is_foreign {
@@ -222,6 +239,27 @@ impl Journal {
         read().map(Some).map_err(Error::read(&self.path))
     }
 
+    /// All results under these settings, in the order in which they were written.
+    ///
+    /// # Errors
+    /// As [`Journal::read`].
+    pub fn all<R: DeserializeOwned>(&self, settings: &Hash) -> Result<Vec<R>> {
+        let settings = settings.to_string();
+        let read = || -> std::io::Result<Vec<R>> {
+            let mut reader = BufReader::new(File::open(&self.path)?);
+            let (mut results, mut line) = (Vec::new(), Vec::new());
+            while next_line(&mut reader, &mut line)? > 0 {
+                if let Some(text) = checked(&line)
+                    && serde_json::from_str::<Of>(text)?.key.settings == settings
+                {
+                    results.push(serde_json::from_str::<Held<R>>(text)?.result);
+                }
+            }
+            Ok(results)
+        };
+        read().map_err(Error::read(&self.path))
+    }
+
     fn lock(&self) -> std::sync::MutexGuard<'_, End> {
         // No code changes the index and panics after that, so it is valid after a panic.
         self.end
@@ -249,9 +287,7 @@ impl Scan {
         let mut scan = Self::default();
         let mut line = Vec::new();
         loop {
-            line.clear();
-            let mut bounded = reader.by_ref().take(MAX_LINE_LEN);
-            let read = bounded.read_until(b'\n', &mut line)? as u64;
+            let read = next_line(&mut reader, &mut line)?;
             if read == 0 {
                 return Ok(scan);
             }
@@ -273,6 +309,13 @@ impl Scan {
             }
         }
     }
+}
+
+/// Reads the next line, and returns its length, 0 at the end.
+fn next_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> std::io::Result<u64> {
+    line.clear();
+    let read = reader.take(MAX_LINE_LEN).read_until(b'\n', line)?;
+    Ok(read as u64)
 }
 
 /// The text of a whole line, if it matches its checksum.
@@ -327,6 +370,9 @@ mod tests {
         assert_eq!(read("a.wav", "2"), None, "another content");
         assert_eq!(read("b.wav", "2"), Some(vec![2.0]));
         assert!(journal.has("b.wav", &key("2")) && !journal.has("c.wav", &key("2")));
+        let all: Vec<Vec<f64>> = journal.all(&hash(b"s")).unwrap();
+        assert_eq!(all.concat(), [0.1, f64::MIN_POSITIVE, 2.0, 3.0]);
+        assert!(journal.all::<f64>(&hash(b"t")).unwrap().is_empty());
         assert_eq!(journal.damaged(), 0);
     }
 

@@ -10,6 +10,7 @@ use bouncelab::{Diagnostic, Options, ball};
 use bouncelab_report::groups::some_of;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::units;
+use serde::Serialize;
 
 use crate::error::{Error, Result};
 use crate::hash::{Hash, hash_of};
@@ -59,6 +60,11 @@ pub(crate) const BUILD: [&str; 4] = [
     env!("BOUNCELAB_BUILD"),
 ];
 
+/// The hash of settings, and of this very build of the science: equal only for equal results.
+pub fn hash_of_build(settings: &impl Serialize) -> Hash {
+    hash_of(&(BUILD, settings))
+}
+
 impl KnownRecording {
     /// What its result depends on: its content, the settings, and this very build of the science.
     pub fn key(&self, content: Hash) -> Key {
@@ -70,7 +76,7 @@ impl KnownRecording {
 
     /// Hash of the settings of its result, and of this build.
     pub(crate) fn settings(&self) -> Hash {
-        hash_of(&(RECORD, BUILD, self.options()))
+        hash_of_build(&(RECORD, self.options()))
     }
 
     /// What it says; `None` if this is not its content, or no longer.

@@ -148,7 +148,7 @@ mod tests {
             build[part] = "another";
             let key = Key {
                 content: hash(TIMES),
-                settings: hash_of(&(RECORD, build, recording.options())),
+                settings: hash_of(&(build, (RECORD, recording.options()))),
             };
             let other = Record::failed("of another build".to_owned());
             journal.append("drop.txt", &key, &other).unwrap();

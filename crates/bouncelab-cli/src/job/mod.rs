@@ -4,27 +4,32 @@ mod record;
 
 use std::path::{Path, PathBuf};
 
-use bouncelab::rulebook::{self, Conditions, Decision, Item, Rule};
+use bouncelab::rulebook::{self, Conditions, Decision, Item, Rebound, Rule};
 use bouncelab::{Plain, demo};
 use bouncelab_report::report::Provenance;
 use bouncelab_report::report::verdict::{MethodCheck, TestNotes};
 use bouncelab_report::rules;
+use bouncelab_session::hash::{Hash, hash_of_file};
+use bouncelab_session::hash_of_build;
 use clap::{Args, Subcommand};
 use jiff::Zoned;
+use rayon::prelude::*;
 use record::{Job, Recorded};
 
 use crate::analyze::read;
 use crate::failure::Failure;
+use crate::interrupt::Stop;
 use crate::language::{text, text_with};
-use crate::report::{OutputArguments, ReportFile, provenance, wrote};
+use crate::listen::{self, Source};
+use crate::report::{OutputArguments, ReportFile, provenance, quoted, wrote};
 use crate::rules::Files;
-use crate::terminal::{print, print_json};
-use crate::verdict::{Format, Surface, Test, setup_of_rule};
+use crate::terminal::{print, print_json, say};
+use crate::verdict::{Format, Surface, Test, rebounds, setup_of_rule};
 
 /// Test by a rule, drop after drop and place after place, and report it
 ///
-/// A job is a folder: notes to fill in (job.toml), a copy of every recording with its SHA-256, and a journal. After a crash
-/// it goes on where it was.
+/// A job is a folder: notes to fill in (job.toml), every recording with its SHA-256, and a journal. After a crash it goes on
+/// where it was.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -35,6 +40,7 @@ pub(crate) struct Arguments {
 const EXAMPLES: &str = "\
 Examples:
   bouncelab job new court --rule itf-court --places 5
+  bouncelab job listen court                            with the microphone, until every place has its drops
   bouncelab job add court drop1.wav drop2.wav           the next place with too few drops
   bouncelab job add court drop3.wav --place 2
   bouncelab job repeat court 3 --reason 'a door slammed'
@@ -57,6 +63,26 @@ enum What {
         drops: Option<u16>,
         #[command(flatten)]
         rules: Files,
+    },
+    /// Record drop after drop with the microphone, until every place has its drops or Ctrl-C
+    ///
+    /// Each drop is a recording of its own, saved while it is recorded, and counts when the ball rests. `job repeat` lets a
+    /// drop be repeated, also from another terminal. Exit status: 0 if a drop was added, 1 if none was.
+    Listen {
+        /// The folder of the job
+        folder: PathBuf,
+        /// The place, 1 for the first; 0 is the reference [default: the next with too few drops]
+        #[arg(long, value_name = "NUMBER")]
+        place: Option<usize>,
+        /// Play recordings of a drop each instead of using the microphone
+        #[arg(long, value_name = "FILE", num_args = 1..)]
+        from: Vec<PathBuf>,
+        /// Play them as fast as possible instead of in real time
+        #[arg(long, requires = "from")]
+        fast: bool,
+        /// The microphone, by its name in `listen --devices` or a part of it (default: that of the system)
+        #[arg(long, value_name = "NAME", conflicts_with = "from")]
+        device: Option<String>,
     },
     /// Add recordings; each is kept, and counts in its place
     Add {
@@ -112,6 +138,25 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             files,
             place,
         } => add(folder, files, *place),
+        What::Listen {
+            folder,
+            place,
+            from,
+            fast,
+            device,
+        } => {
+            let source = |from: Option<&PathBuf>| Source {
+                from: from.cloned(),
+                fast: *fast,
+                device: device.clone(),
+            };
+            // Without an end for the microphone: it stops when all places have their drops.
+            if from.is_empty() {
+                listen(folder, *place, std::iter::repeat_with(|| source(None)))
+            } else {
+                listen(folder, *place, from.iter().map(|from| source(Some(from))))
+            }
+        }
         What::Repeat {
             folder,
             number,
@@ -153,6 +198,8 @@ struct Opened {
     job: Job,
     rule: Rule,
     setup: bouncelab::settings::Setup,
+    /// What results depend on besides the sound.
+    settings: Hash,
 }
 
 impl Opened {
@@ -171,7 +218,23 @@ impl Opened {
         })?;
         let kept = job.notes.kept.iter().map(|name| Item::stated(name));
         setup.conditions.kept = kept.collect::<Result<_, _>>()?;
-        Ok(Self { job, rule, setup })
+        if job.damaged > 0 {
+            let words = [
+                ("count", job.damaged.into()),
+                (
+                    "file",
+                    String::from(Plain::path(&job.journal_file())).into(),
+                ),
+            ];
+            say(text_with("job-damaged", &words));
+        }
+        let settings = hash_of_build(&(&setup.options, &rule));
+        Ok(Self {
+            job,
+            rule,
+            setup,
+            settings,
+        })
     }
 
     /// The places in their order, the reference first.
@@ -184,8 +247,19 @@ impl Opened {
             .find(|&place| self.job.drops(place) < self.job.notes.drops)
     }
 
-    /// "place 2 of 5, drop 3 of 5".
-    fn position(&self, place: usize) -> String {
+    /// The place that is meant, or the next with too few drops.
+    fn place(&self, stated: Option<usize>) -> Result<Option<usize>, Failure> {
+        match stated {
+            Some(place) if !self.places().contains(&place) => {
+                Err(Failure::Usage(format!("the job has no place {place}")))
+            }
+            Some(place) => Ok(Some(place)),
+            None => Ok(self.next_place()),
+        }
+    }
+
+    /// "place 2 of 5, drop 3 of 5", of the drop of this number.
+    fn position(&self, place: usize, drop: usize) -> String {
         let id = if place == 0 {
             "job-reference"
         } else {
@@ -194,13 +268,21 @@ impl Opened {
         let words = [
             ("place", place.into()),
             ("places", self.job.notes.places.into()),
-            ("drop", self.job.drops(place).into()),
+            ("drop", drop.into()),
             ("drops", self.job.notes.drops.into()),
         ];
         text_with(id, &words)
     }
 
-    /// The recordings of places, analysed.
+    /// The rebounds in a recording.
+    fn rebounds(&self, recorded: &Recorded) -> Result<Vec<Rebound>, Failure> {
+        self.job.result(recorded, self.settings, |path| {
+            let analysed = read(path, &self.setup.options, true)?;
+            Ok(rebounds(&analysed, &self.rule, &self.setup))
+        })
+    }
+
+    /// The rebounds of places.
     fn surface(&self, places: impl Iterator<Item = usize>) -> Result<Surface, Failure> {
         let mut surface = Surface::default();
         for place in places {
@@ -208,12 +290,46 @@ impl Opened {
             if recorded.is_empty() {
                 continue;
             }
-            let of_place = recorded
-                .iter()
-                .map(|recorded| read(&self.job.sound(recorded)?, &self.setup.options, true));
-            surface.push(place_name(place), of_place.collect::<Result<_, Failure>>()?);
+            let of_place = recorded.par_iter().map(|recorded| self.rebounds(recorded));
+            let of_place: Vec<Vec<Rebound>> = of_place.collect::<Result<_, Failure>>()?;
+            surface.push(place_name(place), of_place.concat());
         }
         Ok(surface)
+    }
+
+    /// Keeps a recording of one or more drops, and counts it.
+    fn count(&mut self, path: &Path, place: usize, given_as: String) -> Result<(), Failure> {
+        let analysed = read(path, &self.setup.options, false)?;
+        if let Some(reason) = analysed.no_drop() {
+            return Err(Failure::Input(reason));
+        }
+        let sha256 = hash_of_file(path)?;
+        let mut recorded = self.job.recorded.iter();
+        if let Some(same) = recorded.find(|recorded| recorded.sha256 == sha256) {
+            return Err(Failure::Usage(format!(
+                "{} is recording {} of the job; each recording counts once",
+                Plain::path(path),
+                same.number
+            )));
+        }
+        let (file, number) = self.job.numbered(&self.job.keep(path)?);
+        let recorded = Recorded {
+            number,
+            place,
+            drops: analysed.result.drops.len(),
+            file,
+            sha256,
+            given_as,
+            added: Zoned::now().strftime("%Y-%m-%d %H:%M:%S %z").to_string(),
+            repeated: None,
+        };
+        self.job.add(recorded.clone())?;
+        let found = rebounds(&analysed, &self.rule, &self.setup);
+        self.job.result(&recorded, self.settings, |_| Ok(found))?;
+        print(format!(
+            "{number}  {}\n",
+            self.position(place, self.job.drops(place))
+        ))
     }
 
     /// The verdict on all that was recorded.
@@ -240,41 +356,53 @@ fn place_name(place: usize) -> String {
 
 fn add(folder: &Path, files: &[PathBuf], place: Option<usize>) -> Result<(), Failure> {
     let mut opened = Opened::new(folder)?;
-    // Neither whether there is a drop nor the result so far needs the model.
-    opened.setup.options.inference = None;
     for path in files {
-        let place = match place.or_else(|| opened.next_place()) {
-            Some(place) if opened.places().contains(&place) => place,
-            Some(place) => return Err(Failure::Usage(format!("the job has no place {place}"))),
-            None => {
-                return Err(Failure::Usage(
-                    "every place has its drops; state one with --place to add more".to_owned(),
-                ));
-            }
+        let Some(place) = opened.place(place)? else {
+            return Err(Failure::Usage(
+                "every place has its drops; state one with --place to add more".to_owned(),
+            ));
         };
-        let analysed = read(path, &opened.setup.options, false)?;
-        if let Some(reason) = analysed.no_drop() {
-            return Err(Failure::Input(reason));
-        }
-        let content = bouncelab_session::hash::hash_of_file(path)?.to_string();
-        if let Some(same) = opened
-            .job
-            .recorded
-            .iter()
-            .find(|recorded| recorded.sha256 == content)
-        {
-            return Err(Failure::Usage(format!(
-                "{} is recording {} of the job; each recording counts once",
-                Plain::path(path),
-                same.number
-            )));
-        }
-        let now = Zoned::now().strftime("%Y-%m-%d %H:%M:%S %z").to_string();
-        let drops = analysed.result.drops.len();
-        let number = opened.job.add(path, place, drops, now)?;
-        print(format!("{number}  {}\n", opened.position(place)))?;
+        opened.count(path, place, String::from(Plain::path(path)))?;
     }
-    print(opened.test()?.result() + "\n")
+    print(opened.test()?.so_far() + "\n")
+}
+
+/// Records drop after drop. The job is read anew for each: another terminal may have a drop repeated.
+fn listen(
+    folder: &Path,
+    stated: Option<usize>,
+    sources: impl Iterator<Item = Source>,
+) -> Result<(), Failure> {
+    let stop = Stop::on_request();
+    let mut added = 0;
+    for source in sources {
+        let mut opened = Opened::new(folder)?;
+        let Some(place) = opened.place(stated)? else {
+            break;
+        };
+        say(opened.position(place, opened.job.drops(place) + 1));
+        let file = opened.job.free("wav");
+        let mut setup = opened.setup.clone();
+        // Only whether the drop is over matters now; it is analysed as a recording of the job.
+        setup.options.inference = None;
+        let heard = listen::one_drop(&source, setup, &file);
+        if heard.is_err() && stop.requested() {
+            break;
+        }
+        heard?;
+        let microphone = || text("job-microphone");
+        let given_as = source
+            .from
+            .as_ref()
+            .map_or_else(microphone, |from| String::from(Plain::path(from)));
+        opened.count(&file, place, given_as)?;
+        print(opened.test()?.so_far() + "\n")?;
+        added += 1;
+    }
+    if added == 0 {
+        return Err(Failure::Input(text("job-no-drop-added")));
+    }
+    Ok(())
 }
 
 fn show(
@@ -288,7 +416,8 @@ fn show(
         .job
         .recorded
         .iter()
-        .map(|recorded| folder.join(&recorded.file));
+        .map(|recorded| folder.join(&recorded.file))
+        .chain([opened.job.journal_file()]);
     let outputs = outputs.outputs(sounds);
     let report = report
         .map(|path| ReportFile::new(path, &outputs))
@@ -299,7 +428,7 @@ fn show(
             .job
             .recorded
             .iter()
-            .map(|recorded| (line(recorded), recorded.sha256.clone()));
+            .map(|recorded| (line(recorded), recorded.sha256.to_string()));
         let provenance = Provenance {
             files: files.collect(),
             ..provenance()
@@ -317,8 +446,20 @@ fn show(
                 .recorded
                 .iter()
                 .map(|recorded| format!("{:3}  {}\n", recorded.number, line(recorded)));
-            let places = opened.places().map(|place| opened.position(place) + "\n");
+            let places = opened
+                .places()
+                .map(|place| opened.position(place, opened.job.drops(place)) + "\n");
             print(lines.chain(places).collect::<String>() + "\n" + &test.text())?;
+            for sound in opened.job.uncounted()? {
+                let file = String::from(Plain::path(&sound));
+                let command = format!(
+                    "bouncelab job add {} {}",
+                    quoted(&folder.to_string_lossy()),
+                    quoted(&sound.to_string_lossy())
+                );
+                let words = [("file", file.into()), ("command", command.into())];
+                say(text_with("job-uncounted", &words));
+            }
         }
         Format::Json => print_json(&test.document())?,
     }

@@ -1,24 +1,26 @@
 //! A job on disk: its notes, its sounds, and the journal of its drops.
 
-use std::fs::{self, File, OpenOptions};
+use std::collections::BTreeSet;
+use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use bouncelab::Plain;
 use bouncelab::settings::Settings;
-use bouncelab_report::file::{create_folder, read_noted, sync_name};
+use bouncelab_report::file::{Outputs, create_folder, read_noted, remove_drafts};
+use bouncelab_report::mark;
 use bouncelab_report::report::verdict::TestNotes;
-use bouncelab_session::hash::hash_of_file;
+use bouncelab_session::hash::{Hash, hash, hash_of_file};
+use bouncelab_session::journal::{JOURNAL, Journal, Key};
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
 
 /// Name and version of the format.
-const SCHEMA: &str = "bouncelab.job/1";
+const SCHEMA: &str = "bouncelab.job/2";
 /// The notes, which people write.
 const NOTES: &str = "job.toml";
-/// The journal, which only grows.
-const JOURNAL: &str = "drops.jsonl";
 /// The folder of the recordings.
 const SOUNDS: &str = "sounds";
 /// No notes are longer.
@@ -49,13 +51,13 @@ pub(super) struct Notes {
     pub(super) settings: Settings,
 }
 
-/// A line of the journal.
+/// What happened to a recording, a line of the journal.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(tag = "event", rename_all = "kebab-case")]
 enum Event {
-    /// A recording was added.
+    /// It was added.
     Added(Recorded),
-    /// A recording does not count any more: why. Its sound is kept.
+    /// It does not count any more: why. Its sound is kept.
     Repeated { number: usize, reason: String },
 }
 
@@ -71,7 +73,7 @@ pub(super) struct Recorded {
     /// Its file, relative to the job.
     pub(super) file: PathBuf,
     /// The SHA-256 of this file.
-    pub(super) sha256: String,
+    pub(super) sha256: Hash,
     /// The name under which it was given.
     pub(super) given_as: String,
     /// Date and time.
@@ -81,13 +83,27 @@ pub(super) struct Recorded {
     pub(super) repeated: Option<String>,
 }
 
+impl Recorded {
+    /// What its results are called in the journal.
+    fn name(&self) -> String {
+        self.file.to_string_lossy().into_owned()
+    }
+
+    fn key(&self, settings: Hash) -> Key {
+        Key {
+            content: self.sha256,
+            settings,
+        }
+    }
+}
+
 /// A job.
 pub(super) struct Job {
     folder: PathBuf,
     pub(super) notes: Notes,
     pub(super) recorded: Vec<Recorded>,
-    /// Whether the journal ends within a line, as after a crash.
-    torn: bool,
+    /// How many lines of the journal are damaged, and do not count.
+    pub(super) damaged: usize,
 }
 
 impl Job {
@@ -95,56 +111,44 @@ impl Job {
     pub(super) fn create(folder: &Path, notes: &str) -> Result<PathBuf, Failure> {
         let path = folder.join(NOTES);
         let made = create_folder(&folder.join(SOUNDS)).and_then(|()| {
-            let mut file = OpenOptions::new()
-                .write(true)
-                .create_new(true)
-                .open(&path)?;
-            file.write_all(notes.as_bytes())?;
-            file.sync_all()?;
-            sync_name(&path)
+            if path.exists() {
+                return Err(io::ErrorKind::AlreadyExists.into());
+            }
+            Outputs::default().write(&path, mark::DATA, notes.as_bytes())
         });
         made.map_err(|reason| Failure::unwritable(&path, &reason))?;
         Ok(path)
     }
 
-    /// Reads a job, up to the last whole line of its journal.
+    /// Reads a job.
     pub(super) fn open(folder: &Path) -> Result<Self, Failure> {
         let path = folder.join(NOTES);
-        let bytes =
-            read_noted(&path, MAX_MB).map_err(|reason| unreadable(&path, &reason.to_string()))?;
-        let text =
-            String::from_utf8(bytes).map_err(|reason| unreadable(&path, &reason.to_string()))?;
+        let unreadable =
+            |reason: String| Failure::Input(format!("{}: {reason}", Plain::path(&path)));
+        let bytes = read_noted(&path, MAX_MB).map_err(|reason| unreadable(reason.to_string()))?;
+        let text = String::from_utf8(bytes).map_err(|reason| unreadable(reason.to_string()))?;
         let notes: Notes =
-            toml::from_str(&text).map_err(|reason| unreadable(&path, &reason.to_string()))?;
+            toml::from_str(&text).map_err(|reason| unreadable(reason.to_string()))?;
         if notes.schema != SCHEMA {
-            return Err(unreadable(
-                &path,
-                &format!("the schema must be \"{SCHEMA}\""),
-            ));
+            return Err(unreadable(format!("the schema must be \"{SCHEMA}\"")));
         }
-        let journal = match fs::read(folder.join(JOURNAL)) {
-            Ok(bytes) => bytes,
-            Err(reason) if reason.kind() == io::ErrorKind::NotFound => Vec::new(),
-            Err(reason) => return Err(unreadable(&folder.join(JOURNAL), &reason.to_string())),
-        };
         let mut job = Self {
             folder: folder.to_owned(),
             notes,
             recorded: Vec::new(),
-            torn: !journal.is_empty() && !journal.ends_with(b"\n"),
+            damaged: 0,
         };
-        for (line, number) in journal.split_inclusive(|&byte| byte == b'\n').zip(1..) {
-            match serde_json::from_slice(line) {
-                Ok(event) => job.apply(event),
-                // A line that a crash cut off was not acknowledged.
-                Err(_) if !line.ends_with(b"\n") => {}
-                Err(reason) => {
-                    let path = folder.join(JOURNAL);
-                    return Err(unreadable(&path, &format!("line {number}: {reason}")));
-                }
-            }
+        let journal = job.journal()?;
+        job.damaged = journal.damaged();
+        for event in journal.all(&events()).map_err(of_journal)? {
+            job.apply(event);
         }
         Ok(job)
+    }
+
+    /// The journal, for a moment: while it is open, others wait who listen, add or show.
+    fn journal(&self) -> Result<Journal, Failure> {
+        Journal::open_in_turn(&self.folder).map_err(of_journal)
     }
 
     fn apply(&mut self, event: Event) {
@@ -171,107 +175,138 @@ impl Job {
         self.of_place(place).map(|recorded| recorded.drops).sum()
     }
 
-    /// The file of a recording, if it is as it was added.
-    pub(super) fn sound(&self, recorded: &Recorded) -> Result<PathBuf, Failure> {
+    /// The result of a recording under these settings, from the journal or, if it has none, made of the file, which must
+    /// be as it was added.
+    pub(super) fn result<R: Serialize + DeserializeOwned>(
+        &self,
+        recorded: &Recorded,
+        settings: Hash,
+        make: impl FnOnce(&Path) -> Result<R, Failure>,
+    ) -> Result<R, Failure> {
         let path = self.folder.join(&recorded.file);
-        let found = hash_of_file(&path)?.to_string();
-        if found == recorded.sha256 {
-            Ok(path)
-        } else {
-            Err(unreadable(
-                &path,
-                "it was changed since it was added: its SHA-256 is another",
-            ))
+        if hash_of_file(&path)? != recorded.sha256 {
+            let changed = "it was changed since it was added: its SHA-256 is another";
+            return Err(Failure::Input(format!("{}: {changed}", Plain::path(&path))));
         }
+        let (name, key) = (recorded.name(), recorded.key(settings));
+        if let Some(known) = self.journal()?.read(&name, &key).map_err(of_journal)? {
+            return Ok(known);
+        }
+        let made = make(&path)?;
+        self.append(&name, &key, &made)?;
+        Ok(made)
     }
 
-    /// Keeps a copy of a recording, then writes it down. A copy that is not whole has no line.
-    pub(super) fn add(
-        &mut self,
-        path: &Path,
-        place: usize,
-        drops: usize,
-        added: String,
-    ) -> Result<usize, Failure> {
+    /// A name for the next recording that no file has: a sound without a line, as after a crash, is kept too.
+    pub(super) fn free(&self, ending: &str) -> PathBuf {
+        let after = self.recorded.last().map_or(1, |last| last.number + 1);
+        let mut names = (after..).map(|number| {
+            self.folder
+                .join(SOUNDS)
+                .join(format!("{number:03}.{ending}"))
+        });
+        names.find(|path| !path.exists()).unwrap_or_default()
+    }
+
+    /// Keeps a copy of a recording, whole or not at all; one that is among the sounds is where it belongs.
+    pub(super) fn keep(&self, path: &Path) -> Result<PathBuf, Failure> {
+        let sounds = self.folder.join(SOUNDS);
+        let is_here =
+            path.canonicalize()?.parent().map(Path::to_owned) == sounds.canonicalize().ok();
+        if is_here {
+            let name = path.file_name().unwrap_or_default();
+            return Ok(sounds.join(name));
+        }
         let ending = path
             .extension()
             .map_or_else(|| "wav".into(), |ending| ending.to_string_lossy());
-        let after = self.recorded.last().map_or(1, |last| last.number + 1);
-        // A sound without a line, as after a crash, is kept too.
-        let sounds = (after..).map(|number| {
-            (
-                number,
-                Path::new(SOUNDS).join(format!("{number:03}.{ending}")),
-            )
+        let kept = self.free(&ending);
+        let copied = remove_drafts(&sounds).and_then(|()| {
+            let draft = Outputs::default().draft(&kept, mark::DATA)?;
+            io::copy(&mut File::open(path)?, &mut draft.file())?;
+            draft.file().flush()?;
+            draft.finish()
         });
-        let free = |(_, file): &(usize, PathBuf)| !self.folder.join(file).exists();
-        let (number, file) = sounds.into_iter().find(free).unwrap_or_default();
-        let kept = self.folder.join(&file);
-        copy(path, &kept).map_err(|reason| Failure::unwritable(&kept, &reason))?;
-        let recorded = Recorded {
-            number,
-            place,
-            drops,
-            file,
-            sha256: hash_of_file(&kept)?.to_string(),
-            given_as: String::from(Plain::path(path)),
-            added,
-            repeated: None,
-        };
-        self.write(Event::Added(recorded))?;
-        Ok(number)
+        copied.map_err(|reason| Failure::unwritable(&kept, &reason))?;
+        Ok(kept)
+    }
+
+    /// Writes down a recording that is among the sounds: from now on it counts.
+    pub(super) fn add(&mut self, recorded: Recorded) -> Result<(), Failure> {
+        self.write(&recorded.clone(), Event::Added(recorded))
+    }
+
+    /// The file of a sound, relative to the job, and its number.
+    pub(super) fn numbered(&self, kept: &Path) -> (PathBuf, usize) {
+        let file = Path::new(SOUNDS).join(kept.file_name().unwrap_or_default());
+        let after = self.recorded.last().map_or(1, |last| last.number + 1);
+        let stated = file
+            .file_stem()
+            .and_then(|stem| stem.to_str()?.parse().ok());
+        (file, stated.unwrap_or(after))
     }
 
     /// Marks a recording as repeated.
     pub(super) fn repeat(&mut self, number: usize, reason: &str) -> Result<(), Failure> {
-        let counts = |recorded: &Recorded| recorded.number == number && recorded.repeated.is_none();
-        if !self.recorded.iter().any(counts) {
+        let counts =
+            |recorded: &&Recorded| recorded.number == number && recorded.repeated.is_none();
+        let Some(recorded) = self.recorded.iter().find(counts).cloned() else {
             return Err(Failure::Usage(format!(
                 "the job has no recording {number} that counts; `bouncelab job show` lists them"
             )));
-        }
-        self.write(Event::Repeated {
-            number,
-            reason: reason.to_owned(),
-        })
+        };
+        let reason = reason.to_owned();
+        self.write(&recorded, Event::Repeated { number, reason })
     }
 
-    fn write(&mut self, event: Event) -> Result<(), Failure> {
-        let path = self.folder.join(JOURNAL);
-        let line = serde_json::to_string(&event).map_err(io::Error::from)? + "\n";
-        let written = OpenOptions::new()
-            .append(true)
-            .create(true)
-            .open(&path)
-            .and_then(|mut file| {
-                if self.torn {
-                    // What a crash cut off becomes a line of its own no more.
-                    let whole = fs::read(&path)?
-                        .iter()
-                        .rposition(|&byte| byte == b'\n')
-                        .map_or(0, |end| end + 1);
-                    file.set_len(whole as u64)?;
-                }
-                file.write_all(line.as_bytes())?;
-                file.sync_all()?;
-                sync_name(&path)
-            });
-        written.map_err(|reason| Failure::unwritable(&path, &reason))?;
-        self.torn = false;
+    /// The sounds that have no line: a crash or Ctrl-C came before it, so they do not count.
+    pub(super) fn uncounted(&self) -> Result<Vec<PathBuf>, Failure> {
+        let known: BTreeSet<&Path> = self
+            .recorded
+            .iter()
+            .map(|recorded| recorded.file.as_path())
+            .collect();
+        let mut sounds = Vec::new();
+        for entry in fs::read_dir(self.folder.join(SOUNDS))? {
+            let file = Path::new(SOUNDS).join(entry?.file_name());
+            let is_hidden = file
+                .file_name()
+                .is_some_and(|name| name.as_encoded_bytes().starts_with(b"."));
+            if !is_hidden && !known.contains(file.as_path()) {
+                sounds.push(self.folder.join(file));
+            }
+        }
+        sounds.sort();
+        Ok(sounds)
+    }
+
+    /// Writes down what happened to a recording; it is on the disk when this returns.
+    fn write(&mut self, recorded: &Recorded, event: Event) -> Result<(), Failure> {
+        self.append(&recorded.name(), &recorded.key(events()), &event)?;
         self.apply(event);
         Ok(())
     }
+
+    fn append(&self, name: &str, key: &Key, result: &impl Serialize) -> Result<(), Failure> {
+        let journal = self.journal()?;
+        let written = journal
+            .append(name, key, result)
+            .and_then(|()| journal.sync());
+        written.map_err(of_journal)
+    }
+
+    /// The journal's file.
+    pub(super) fn journal_file(&self) -> PathBuf {
+        self.folder.join(JOURNAL)
+    }
 }
 
-/// A copy that appears whole or not at all, and is on the disk.
-fn copy(from: &Path, to: &Path) -> io::Result<()> {
-    let draft = to.with_extension("part");
-    fs::copy(from, &draft)?;
-    File::open(&draft)?.sync_all()?;
-    fs::rename(&draft, to)?;
-    sync_name(to)
+/// Under what the journal has events in place of results.
+fn events() -> Hash {
+    hash(SCHEMA.as_bytes())
 }
 
-fn unreadable(path: &Path, reason: &str) -> Failure {
-    Failure::Input(format!("{}: {reason}", Plain::path(path)))
+/// The advice of a session, which names another folder for its output, is none for a job.
+fn of_journal(fault: bouncelab_session::Error) -> Failure {
+    Failure::Input(fault.to_string())
 }

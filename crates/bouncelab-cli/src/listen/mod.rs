@@ -14,8 +14,9 @@ mod sound;
 mod summary;
 mod watch;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use bouncelab::settings::Setup;
 use clap::{Args, ValueEnum};
 
 use crate::failure::Failure;
@@ -86,11 +87,88 @@ enum Format {
     Json,
 }
 
+impl Arguments {
+    fn task(&self) -> Task {
+        Task {
+            source: Source {
+                from: self.from.clone(),
+                fast: self.fast,
+                device: self.device.clone(),
+            },
+            save: match &self.save {
+                Some(file) => Save::Named(file.clone()),
+                None if self.no_save || self.from.is_some() => Save::Nowhere,
+                None => Save::Dated,
+            },
+            drops: self.drops,
+            seconds: self.seconds,
+            output: match self.format {
+                Format::Text => Output::Text {
+                    details: self.details,
+                },
+                Format::Json => Output::Json,
+            },
+        }
+    }
+}
+
+/// A microphone, or a recording that is played.
+#[derive(Clone)]
+pub(crate) struct Source {
+    /// The recording; without one the microphone.
+    pub(crate) from: Option<PathBuf>,
+    /// Whether it is played as fast as possible.
+    pub(crate) fast: bool,
+    /// The microphone, by a part of its name; without one that of the system.
+    #[cfg_attr(
+        not(feature = "microphone"),
+        expect(dead_code, reason = "without the microphone there is none to choose")
+    )]
+    pub(crate) device: Option<String>,
+}
+
+/// Where the sound is saved.
+enum Save {
+    Nowhere,
+    Named(PathBuf),
+    /// In the current folder, named after the date.
+    Dated,
+}
+
+/// What is printed of each drop.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Output {
+    Text { details: bool },
+    Json,
+    Nothing,
+}
+
+/// What is listened to, for how long, and what becomes of it.
+struct Task {
+    source: Source,
+    save: Save,
+    drops: Option<u64>,
+    seconds: Option<f64>,
+    output: Output,
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.devices {
         return sound::list_devices();
     }
-    session::run(arguments)
+    session::run(&arguments.task(), arguments.recording.resolve()?)
+}
+
+/// Records one drop into a file, with nothing printed but the progress.
+pub(crate) fn one_drop(source: &Source, setup: Setup, file: &Path) -> Result<(), Failure> {
+    let task = Task {
+        source: source.clone(),
+        save: Save::Named(file.to_owned()),
+        drops: Some(1),
+        seconds: None,
+        output: Output::Nothing,
+    };
+    session::run(&task, setup)
 }
 
 fn duration(text: &str) -> Result<f64, String> {

@@ -8,8 +8,8 @@ use bouncelab_report::file::sync_name;
 use bouncelab_report::messages::Value;
 use jiff::Zoned;
 
-use super::Arguments;
 use super::sound::SoundInfo;
+use super::{Save, Task};
 use crate::failure::Failure;
 use crate::language::text_with;
 
@@ -33,10 +33,9 @@ pub(super) struct Saver {
 }
 
 impl Saver {
-    /// Creates the file that the arguments name, or one of its own in the current folder if the
-    /// sound would be lost otherwise.
+    /// Creates the file of a task, if it saves the sound.
     pub(super) fn create(
-        arguments: &Arguments,
+        task: &Task,
         recording: &SoundInfo,
         format: SampleFormat,
     ) -> Result<Self, Failure> {
@@ -52,10 +51,10 @@ impl Saver {
             format,
             size_limit: u32::MAX,
         };
-        match &arguments.save {
-            Some(file) => saver.open(file.clone())?,
-            None if arguments.no_save || arguments.from.is_some() => {}
-            None => {
+        match &task.save {
+            Save::Named(file) => saver.open(file.clone())?,
+            Save::Nowhere => {}
+            Save::Dated => {
                 let date = Zoned::now().strftime("bouncelab-%Y-%m-%d-%H%M%S.wav");
                 saver
                     .open(unused(Path::new(&date.to_string())))

@@ -15,7 +15,7 @@ use super::save::Saver;
 use super::screen::{Screen, Status};
 use super::sound::{Sound, SoundInfo};
 use super::watch::Watch;
-use super::{Arguments, Format, summary};
+use super::{Output, Task, summary};
 use bouncelab_report::messages::Value;
 
 use crate::analyze::{self, Analysed};
@@ -25,12 +25,11 @@ use crate::language::{text, text_with, translator};
 use crate::report::quoted;
 use crate::terminal::say;
 
-pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let setup = arguments.recording.resolve()?;
-    let sound = Sound::open(arguments)?;
+pub(super) fn run(task: &Task, setup: Setup) -> Result<(), Failure> {
+    let sound = Sound::open(&task.source)?;
     let recording = sound.info();
-    let saver = Saver::create(arguments, &recording, sound.sample_format())?;
-    let mut session = Session::new(arguments, setup, recording, saver.files().to_vec())?;
+    let saver = Saver::create(task, &recording, sound.sample_format())?;
+    let mut session = Session::new(task, setup, recording, saver.files().to_vec())?;
     let recording = LiveRecording::start(sound, saver, Stop::on_request(), session.last_frame)?;
     session.begin();
     let heard = outlived(&recording, |event| session.take(event, &recording));
@@ -68,7 +67,7 @@ fn outlived(
 }
 
 struct Session<'a> {
-    arguments: &'a Arguments,
+    task: &'a Task,
     setup: Setup,
     recording: SoundInfo,
     /// Where the sound is saved, and whether that failed.
@@ -93,7 +92,7 @@ struct Reported {
 
 impl<'a> Session<'a> {
     fn new(
-        arguments: &'a Arguments,
+        task: &'a Task,
         setup: Setup,
         mut recording: SoundInfo,
         files: Vec<PathBuf>,
@@ -101,14 +100,14 @@ impl<'a> Session<'a> {
         let rate_hz = recording.sample_rate_hz;
         let detection = &setup.options.detection;
         let watch = Watch::new(rate_hz, recording.channels, detection)?;
-        if let (None, Some(file)) = (&arguments.from, files.first()) {
+        if let (None, Some(file)) = (&task.source.from, files.first()) {
             recording.name = String::from(Plain::path(file));
         }
-        let last_frame = arguments.seconds.map_or(u64::MAX, |seconds| {
+        let last_frame = task.seconds.map_or(u64::MAX, |seconds| {
             (seconds * f64::from(rate_hz)).round() as u64
         });
         Ok(Self {
-            arguments,
+            task,
             files,
             is_incomplete: false,
             watch,
@@ -132,7 +131,7 @@ impl<'a> Session<'a> {
             ..
         } = &self.recording;
         let rate_khz = f64::from(*sample_rate_hz) / 1000.0;
-        let source = match &self.arguments.from {
+        let source = match &self.task.source.from {
             Some(file) => String::from(Plain::path(file)),
             None => format.clone(),
         };
@@ -194,7 +193,7 @@ impl<'a> Session<'a> {
 
     fn has_enough(&self) -> bool {
         let enough = |drops| self.drops.len() as u64 >= drops;
-        self.frames >= self.last_frame || self.arguments.drops.is_some_and(enough)
+        self.frames >= self.last_frame || self.task.drops.is_some_and(enough)
     }
 
     /// Takes samples of every channel, from one look of the watch to the next.
@@ -218,7 +217,7 @@ impl<'a> Session<'a> {
         };
         self.screen.measure(used);
         let rate_hz = self.recording.sample_rate_hz;
-        if self.arguments.from.is_none() && self.sameness.shows(used, rate_hz) {
+        if self.task.source.from.is_none() && self.sameness.shows(used, rate_hz) {
             self.screen.say(&text("listen-silence"));
         }
         self.frames += channels.first().map_or(0, |samples| samples.len()) as u64;
@@ -320,15 +319,16 @@ impl<'a> Session<'a> {
     }
 
     fn print(&self, analysed: &Analysed, number: usize) -> Result<(), Failure> {
-        match self.arguments.format {
-            Format::Text => {
-                let report = analyze::report(analysed, &self.setup, self.arguments.details);
+        match self.task.output {
+            Output::Text { details } => {
+                let report = analyze::report(analysed, &self.setup, details);
                 let space = if number == 1 { "" } else { "\n" };
                 let heading = text_with("listen-heading", &[("number", number.into())]);
                 let page = format!("{space}── {heading} ──\n{report}");
                 self.screen.print(&page)
             }
-            Format::Json => self.screen.print_data(&self.json_line(analysed)?),
+            Output::Json => self.screen.print_data(&self.json_line(analysed)?),
+            Output::Nothing => Ok(()),
         }
     }
 
@@ -379,7 +379,7 @@ impl<'a> Session<'a> {
         if self.drops.is_empty() {
             return self.report_nothing(whole, warnings);
         }
-        if self.drops.len() > 1 && self.arguments.format == Format::Text {
+        if self.drops.len() > 1 && matches!(self.task.output, Output::Text { .. }) {
             let analyses: Vec<&Drop> = self
                 .drops
                 .iter()
@@ -393,7 +393,7 @@ impl<'a> Session<'a> {
     }
 
     fn report_saved(&self) {
-        if self.is_incomplete {
+        if self.is_incomplete || self.task.output == Output::Nothing {
             return;
         }
         for file in &self.files {
@@ -407,7 +407,7 @@ impl<'a> Session<'a> {
     }
 
     fn judge_again(&mut self, whole: &Detection, warnings: &[Diagnostic]) -> Result<(), Failure> {
-        let most = self.arguments.drops.map_or(usize::MAX, |n| n as usize);
+        let most = self.task.drops.map_or(usize::MAX, |n| n as usize);
         for train in whole.found.trains.iter().take(most) {
             let is_reported = self
                 .drops
@@ -447,7 +447,7 @@ impl<'a> Session<'a> {
 
     fn report_losses(&self) {
         let (count, frames) = (self.gaps().len(), self.lost_frames);
-        if self.arguments.from.is_none() && count > 0 {
+        if self.task.source.from.is_none() && count > 0 {
             let lost_s = frames as f64 / f64::from(self.recording.sample_rate_hz);
             let lost = [
                 ("frames", frames.into()),
@@ -470,7 +470,7 @@ impl<'a> Session<'a> {
     fn report_nothing(&self, whole: Detection, warnings: Vec<Diagnostic>) -> Result<(), Failure> {
         let analysed = self.analysed(whole, warnings, &self.setup.options);
         self.screen.say(&analysed.no_drop().unwrap_or_default());
-        if self.arguments.format == Format::Json {
+        if self.task.output == Output::Json {
             self.screen.print_data(&self.json_line(&analysed)?)?;
         }
         Err(Failure::Input(String::new()))
@@ -521,6 +521,7 @@ mod tests {
     use bouncelab::synth::{self, Scene};
     use clap::Parser;
 
+    use super::super::Arguments;
     use super::*;
 
     #[derive(Parser)]
@@ -538,14 +539,14 @@ mod tests {
     fn session_of(samples: &[f32], lost: Range<usize>, happens: Happening) -> Drop {
         let words = ["listen", "--no-save", "--no-inference", "--drag", "none"];
         let Only { arguments } = Only::parse_from(words);
-        let setup = arguments.recording.resolve().unwrap();
+        let (setup, task) = (arguments.recording.resolve().unwrap(), arguments.task());
         let recording = SoundInfo {
             name: "test".to_owned(),
             format: "test".to_owned(),
             sample_rate_hz: RATE_HZ,
             channels: 1,
         };
-        let mut session = Session::new(&arguments, setup, recording, Vec::new()).unwrap();
+        let mut session = Session::new(&task, setup, recording, Vec::new()).unwrap();
         session.read(&[samples[..lost.start].to_vec()]).unwrap();
         happens(&mut session).unwrap();
         session.read(&[samples[lost.end..].to_vec()]).unwrap();
@@ -573,8 +574,9 @@ mod tests {
         bouncelab_testkit::write_wav(&played, RATE_HZ, format, &[&samples]);
         let words = ["listen", "--fast", "--from", &played, "--save", &saved];
         let Only { arguments } = Only::parse_from(words);
-        let sound = Sound::open(&arguments).unwrap();
-        let saver = Saver::create(&arguments, &sound.info(), format).unwrap();
+        let task = arguments.task();
+        let sound = Sound::open(&task.source).unwrap();
+        let saver = Saver::create(&task, &sound.info(), format).unwrap();
         let recording = LiveRecording::start(sound, saver, Stop::on_request(), u64::MAX).unwrap();
         let failure = outlived(&recording, |_| panic!("a fault")).unwrap_err();
         assert_eq!(failure.to_string(), text("listen-fault"));
@@ -601,10 +603,10 @@ mod tests {
             let lost = is_lost.then_some(Err(441));
             let script = [Ok(before.to_vec())].into_iter().chain(lost);
             let sound = Sound::script(RATE_HZ, script.chain([Ok(after.to_vec())]).collect());
-            let setup = arguments.recording.resolve().unwrap();
-            let saver = Saver::create(&arguments, &sound.info(), sound.sample_format()).unwrap();
+            let (setup, task) = (arguments.recording.resolve().unwrap(), arguments.task());
+            let saver = Saver::create(&task, &sound.info(), sound.sample_format()).unwrap();
             let files = saver.files().to_vec();
-            let mut session = Session::new(&arguments, setup, sound.info(), files).unwrap();
+            let mut session = Session::new(&task, setup, sound.info(), files).unwrap();
             let recording =
                 LiveRecording::start(sound, saver, Stop::on_request(), u64::MAX).unwrap();
             let heard = outlived(&recording, |event| session.take(event, &recording));

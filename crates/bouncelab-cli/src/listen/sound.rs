@@ -11,7 +11,7 @@ use bouncelab::analysis::Gap;
 use bouncelab_audio::microphone::{self, Microphone};
 use bouncelab_audio::{Input, SampleFormat, SoundReader, Warning};
 
-use super::Arguments;
+use super::Source;
 use crate::failure::Failure;
 
 /// Description of a sound before it is analysed.
@@ -62,17 +62,17 @@ impl Sound {
         Self::Script(rate_hz, comes.into())
     }
 
-    /// Opens what the arguments name.
-    pub(super) fn open(arguments: &Arguments) -> Result<Self, Failure> {
-        match &arguments.from {
-            Some(file) => Player::open(file, arguments.fast),
-            None => Self::open_microphone(arguments),
+    /// Opens a source.
+    pub(super) fn open(source: &Source) -> Result<Self, Failure> {
+        match &source.from {
+            Some(file) => Player::open(file, source.fast),
+            None => Self::open_microphone(source),
         }
     }
 
     #[cfg(feature = "microphone")]
-    fn open_microphone(arguments: &Arguments) -> Result<Self, Failure> {
-        let opened = Microphone::open(arguments.device.as_deref());
+    fn open_microphone(source: &Source) -> Result<Self, Failure> {
+        let opened = Microphone::open(source.device.as_deref());
         let microphone = opened.map_err(|fault| {
             Failure::Input(format!(
                 "{fault}\n  `bouncelab listen --devices` lists the microphones, `bouncelab listen \
@@ -83,7 +83,7 @@ impl Sound {
     }
 
     #[cfg(not(feature = "microphone"))]
-    fn open_microphone(_: &Arguments) -> Result<Self, Failure> {
+    fn open_microphone(_: &Source) -> Result<Self, Failure> {
         Err(no_microphone())
     }
 

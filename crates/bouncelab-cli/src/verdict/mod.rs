@@ -6,10 +6,10 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use bouncelab::Plain;
-use bouncelab::rulebook::{self, Decision, Item, Outcome, Place, Rule, Verdict};
+use bouncelab::rulebook::{self, Decision, Item, Outcome, Rebound, Rule, Verdict};
 use bouncelab::settings::{Settings, Setup};
 use bouncelab_report::document::verdict::{Evaluation, VerdictDocument};
-use bouncelab_report::report::verdict::{TestNotes, of_verdict, outcome};
+use bouncelab_report::report::verdict::{TestNotes, of_verdict, so_far};
 use bouncelab_report::report::{Page, Provenance};
 use bouncelab_session::hash::hash_of_file;
 use clap::{Args, ValueEnum};
@@ -87,44 +87,40 @@ pub(crate) enum Format {
     Json,
 }
 
-/// Drops of the same surface, by place.
+/// Rebounds on the same surface, by place.
 #[derive(Default)]
 pub(crate) struct Surface {
     names: Vec<String>,
-    places: Vec<Vec<Analysed>>,
+    places: Vec<Vec<Rebound>>,
 }
 
 impl Surface {
     /// Each file is a place.
-    fn new(files: &[PathBuf], setup: &Setup) -> Result<Self, Failure> {
+    fn new(files: &[PathBuf], rule: &Rule, setup: &Setup) -> Result<Self, Failure> {
         let mut surface = Self::default();
         for file in files {
             let analysed = read(file, &setup.options, false)?;
             if let Some(reason) = analysed.no_drop() {
                 return Err(Failure::Input(reason));
             }
-            surface.push(analysed.name.clone(), vec![analysed]);
+            surface.push(analysed.name.clone(), rebounds(&analysed, rule, setup));
         }
         Ok(surface)
     }
 
     /// Adds a place.
-    pub(crate) fn push(&mut self, name: String, recordings: Vec<Analysed>) {
+    pub(crate) fn push(&mut self, name: String, rebounds: Vec<Rebound>) {
         self.names.push(name);
-        self.places.push(recordings);
+        self.places.push(rebounds);
     }
+}
 
-    fn places(&self) -> Vec<Place<'_>> {
-        let places = self.places.iter();
-        places
-            .map(|recordings| {
-                recordings
-                    .iter()
-                    .flat_map(|analysed| &analysed.result.drops)
-                    .collect()
-            })
-            .collect()
-    }
+/// The rebounds of the drops of a recording.
+pub(crate) fn rebounds(analysed: &Analysed, rule: &Rule, setup: &Setup) -> Vec<Rebound> {
+    let drops = analysed.result.drops.iter();
+    drops
+        .map(|drop| Rebound::new(drop, rule, &setup.options))
+        .collect()
 }
 
 /// A verdict and all that it rests on.
@@ -133,8 +129,9 @@ pub(crate) struct Test<'a> {
     setup: &'a Setup,
     decision: Decision,
     verdict: Verdict,
-    surface: Surface,
-    reference: Surface,
+    /// Names of the places.
+    surface: Vec<String>,
+    reference: Vec<String>,
 }
 
 impl<'a> Test<'a> {
@@ -145,13 +142,12 @@ impl<'a> Test<'a> {
         reference: Surface,
         decision: Decision,
     ) -> Result<Self, Failure> {
-        let (places, reference_places) = (surface.places(), reference.places());
-        let verdict = rulebook::judge(
+        let verdict = rulebook::judge_rebounds(
             rule,
             &setup.options,
             &setup.conditions,
-            &places,
-            &reference_places,
+            surface.places,
+            reference.places,
             decision,
         )?;
         Ok(Self {
@@ -159,8 +155,8 @@ impl<'a> Test<'a> {
             setup,
             decision,
             verdict,
-            surface,
-            reference,
+            surface: surface.names,
+            reference: reference.names,
         })
     }
 
@@ -169,15 +165,15 @@ impl<'a> Test<'a> {
             rule: self.rule,
             verdict: &self.verdict,
             decision: self.decision,
-            files: &self.surface.names,
-            reference_files: &self.reference.names,
+            files: &self.surface,
+            reference_files: &self.reference,
             setup: self.setup,
         }
     }
 
-    /// The decision in a line.
-    pub(crate) fn result(&self) -> String {
-        outcome(&self.verdict, translator())
+    /// The result of the drops so far in a line.
+    pub(crate) fn so_far(&self) -> String {
+        so_far(&self.verdict, translator())
     }
 
     pub(crate) fn text(&self) -> String {
@@ -245,8 +241,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .as_deref()
         .map(|path| ReportFile::new(path, &outputs))
         .transpose()?;
-    let surface = Surface::new(&arguments.files, &setup)?;
-    let reference = Surface::new(&arguments.reference, &setup)?;
+    let surface = Surface::new(&arguments.files, rule, &setup)?;
+    let reference = Surface::new(&arguments.reference, rule, &setup)?;
     let test = Test::new(rule, &setup, surface, reference, decision)?;
     if let Some(file) = report_file {
         let provenance = Provenance {

@@ -177,6 +177,14 @@ job-place = Stelle { $place } von { $places }, Versuch { $drop } von { $drops }
 job-reference = Referenz, Versuch { $drop } von { $drops }
 job-place-name = Stelle { $place }
 job-repeated = wiederholt: { $reason }
+job-so-far = Bisher { $value }. { $outcome }
+job-microphone = Mikrofon
+job-no-drop-added = Dem Auftrag wurde kein Versuch hinzugefügt.
+job-damaged = { $count ->
+    [one] Eine Zeile von { $file } ist beschädigt und zählt nicht; `bouncelab job show` nennt jede Aufnahme ohne Zeile.
+   *[other] { $count } Zeilen von { $file } sind beschädigt und zählen nicht; `bouncelab job show` nennt jede Aufnahme ohne Zeile.
+}
+job-uncounted = { $file } bleibt aufbewahrt, zählt aber nicht: Sie wurde nicht eingetragen, wie nach einer Unterbrechung. Ist ihr Versuch vollständig, zählt { $command } sie mit.
 verdict-reference = auf der Referenz
 verdict-share = Anteil an der Referenz
 verdict-unevenness = Ungleichmäßigkeit der Stellen

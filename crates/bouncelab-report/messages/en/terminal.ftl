@@ -179,6 +179,14 @@ job-place = place { $place } of { $places }, drop { $drop } of { $drops }
 job-reference = reference, drop { $drop } of { $drops }
 job-place-name = place { $place }
 job-repeated = repeated: { $reason }
+job-so-far = So far { $value }. { $outcome }
+job-microphone = microphone
+job-no-drop-added = No drop was added to the job.
+job-damaged = { $count ->
+    [one] A line of { $file } is damaged and does not count; `bouncelab job show` names every sound that has no line.
+   *[other] { $count } lines of { $file } are damaged and do not count; `bouncelab job show` names every sound that has no line.
+}
+job-uncounted = { $file } is kept but does not count: nothing was written down of it, as after an interruption. If its drop is whole, { $command } counts it.
 verdict-reference = on the reference
 verdict-share = share of the reference
 verdict-unevenness = unevenness of the places

@@ -178,6 +178,14 @@ job-place = lugar { $place } de { $places }, ensayo { $drop } de { $drops }
 job-reference = referencia, ensayo { $drop } de { $drops }
 job-place-name = lugar { $place }
 job-repeated = repetido: { $reason }
+job-so-far = Hasta ahora { $value }. { $outcome }
+job-microphone = micrófono
+job-no-drop-added = No se añadió ningún ensayo al encargo.
+job-damaged = { $count ->
+    [one] Una línea de { $file } está dañada y no cuenta; `bouncelab job show` nombra cada sonido sin línea.
+   *[other] { $count } líneas de { $file } están dañadas y no cuentan; `bouncelab job show` nombra cada sonido sin línea.
+}
+job-uncounted = { $file } se conserva pero no cuenta: no quedó anotado, como tras una interrupción. Si su ensayo está completo, { $command } lo cuenta.
 verdict-reference = sobre la referencia
 verdict-share = parte de la referencia
 verdict-unevenness = desigualdad de los lugares

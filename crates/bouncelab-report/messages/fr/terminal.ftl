@@ -178,6 +178,14 @@ job-place = emplacement { $place } sur { $places }, essai { $drop } sur { $drops
 job-reference = référence, essai { $drop } sur { $drops }
 job-place-name = emplacement { $place }
 job-repeated = répété : { $reason }
+job-so-far = Jusqu'ici { $value }. { $outcome }
+job-microphone = microphone
+job-no-drop-added = Aucun essai n'a été ajouté à la commande.
+job-damaged = { $count ->
+    [one] Une ligne de { $file } est endommagée et ne compte pas ; `bouncelab job show` nomme chaque son sans ligne.
+   *[other] { $count } lignes de { $file } sont endommagées et ne comptent pas ; `bouncelab job show` nomme chaque son sans ligne.
+}
+job-uncounted = { $file } est conservé mais ne compte pas : il n'a pas été inscrit, comme après une interruption. Si son essai est complet, { $command } le compte.
 verdict-reference = sur la référence
 verdict-share = part de la référence
 verdict-unevenness = inégalité des emplacements

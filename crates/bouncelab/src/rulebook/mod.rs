@@ -48,4 +48,4 @@ pub use rebound::Rebound;
 pub use rule::{
     Averaging, Evenness, Formula, Limits, Point, Reading, Requirement, Rule, Source, find,
 };
-pub use verdict::{Decision, Outcome, Place, Verdict, judge};
+pub use verdict::{Decision, Outcome, Place, Verdict, judge, judge_rebounds};

@@ -3,7 +3,6 @@
 use std::fmt;
 
 use super::rule::{Evenness, Limits, Requirement, Rule};
-use super::verdict::Place;
 use crate::error::{Error, Result};
 use crate::inference::Measured;
 
@@ -118,13 +117,12 @@ pub struct Conditions {
     pub kept: Vec<Item>,
 }
 
-/// The parts of the procedure of a rule.
+/// The parts of the procedure of a rule; of surface and reference the number of drops in each place.
 pub(super) fn checks(
     rule: &Rule,
     diameter_m: f64,
     conditions: &Conditions,
-    surface: &[Place],
-    reference: &[Place],
+    drops: &[Vec<usize>; 2],
 ) -> Vec<Check> {
     let mut checks = vec![release(rule, diameter_m, conditions.drop_height_m)];
     let stated = |item: Item, asked: bool| {
@@ -156,7 +154,7 @@ pub(super) fn checks(
         .into_iter()
         .filter(|(_, limits, _)| !limits.is_open());
     checks.extend(ranges.map(|(item, limits, found)| range(item, &limits, found)));
-    checks.extend(counts(rule, surface, reference));
+    checks.extend(counts(rule, drops));
     checks
 }
 
@@ -184,13 +182,12 @@ fn range(item: Item, limits: &Limits, found: Option<f64>) -> Check {
     Check { item, kept, found }
 }
 
-fn counts(rule: &Rule, surface: &[Place], reference: &[Place]) -> Vec<Check> {
+fn counts(rule: &Rule, [surface, reference]: &[Vec<usize>; 2]) -> Vec<Check> {
     let by_place = rule.compares_places();
-    let total = |places: &[Place]| places.iter().map(Vec::len).sum::<usize>();
     let drops = if by_place {
-        surface.iter().map(Vec::len).min().unwrap_or(0)
+        surface.iter().copied().min().unwrap_or(0)
     } else {
-        total(surface)
+        surface.iter().sum()
     };
     let check = |item, found: usize, needed: usize| Check {
         item,
@@ -201,7 +198,7 @@ fn counts(rule: &Rule, surface: &[Place], reference: &[Place]) -> Vec<Check> {
     if rule.needs_reference() {
         checks.push(check(
             Item::ReferenceDrops,
-            total(reference),
+            reference.iter().sum(),
             rule.fewest_drops,
         ));
     }

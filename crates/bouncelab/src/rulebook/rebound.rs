@@ -2,11 +2,13 @@
 
 use super::rule::Rule;
 use crate::analysis::{Drop, Options};
+use crate::diagnostic::{Code, Diagnostic};
 use crate::estimate::Estimate;
 use crate::regression::height_of_flight_m;
 
 /// The rebound of one drop. Heights are those of the point at which the rule measures.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Rebound {
     /// Which place it is of, counted from 0.
@@ -23,16 +25,14 @@ pub struct Rebound {
     pub predicted_m: Option<Estimate>,
     /// What the height differs by from g T²/8 where the rule has no formula: contact, buoyancy, drag, m.
     pub(super) corrections_m: [f64; 3],
+    /// Why the drop cannot tell: its times contradict the height, or its first impact is doubtful.
+    pub(super) doubts: Vec<Diagnostic>,
 }
 
 impl Rebound {
-    pub(super) fn new(
-        place: usize,
-        drop: &Drop,
-        rule: &Rule,
-        fall_m: Option<f64>,
-        settings: &Options,
-    ) -> Self {
+    /// The rebound of a drop that was analysed with these settings, of the first place.
+    pub fn new(drop: &Drop, rule: &Rule, settings: &Options) -> Self {
+        let fall_m = rule.fall_of(settings);
         let above_m = rule.point().above_bottom_m(settings.ball.diameter_m());
         let predicted = match (&drop.posterior, fall_m) {
             (Ok(found), Some(fall_m)) => found.rebounds_m(fall_m),
@@ -43,15 +43,27 @@ impl Rebound {
         let plain = |time_s| height_of_flight_m(time_s, settings.environment.gravity_m_s2);
         let (height_m, slope_m_s, corrections_m) = measured.unwrap_or_default();
         Self {
-            place,
+            place: 0,
             first_flight_s,
             drag_free_m: first_flight_s.map(|time_s| plain(time_s) + above_m),
             height_m: measured.map(|_| height_m + above_m),
             times_sd_m: slope_m_s * first_flight_sd_s(drop),
             predicted_m: Estimate::of_draws(predicted.into_iter().map(|height| height + above_m)),
             corrections_m,
+            doubts: doubts(drop),
         }
     }
+}
+
+fn doubts(drop: &Drop) -> Vec<Diagnostic> {
+    let known = drop.posterior.iter().flat_map(|found| &found.diagnostics);
+    let doubtful = |known: &&Diagnostic| {
+        matches!(
+            known.code,
+            Code::HeightContradictsTimes | Code::FirstImpactDoubtful
+        )
+    };
+    known.filter(doubtful).cloned().collect()
 }
 
 /// The first flight, if the impacts at both ends were detected and nothing says that others came before.

@@ -4,6 +4,7 @@ use std::fmt;
 
 use std::ops::Bound::Excluded;
 
+use crate::analysis::Options;
 use crate::error::{Error, Quantity, Result, positive, within};
 
 /// What was read of a rule or of a formula.
@@ -195,6 +196,7 @@ impl Limits {
 
 /// What a rule wants of the rebound.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Requirement {
     /// A height, m, of the point at which the rule measures.
     Height(Limits),
@@ -211,6 +213,7 @@ pub enum Requirement {
 
 /// How alike places must be. A place is one recording.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Evenness {
     /// Each place within this share of the mean of all.
     WithinOfMean(f64),
@@ -229,6 +232,7 @@ impl Evenness {
 
 /// Over what a rule averages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum Averaging {
     /// The mean over the drops must lie within the limits.
     #[default]
@@ -265,6 +269,7 @@ impl Formula {
 
 /// A rule.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Rule {
     /// The name by which it is called: lower-case letters, digits and hyphens.
     pub name: String,
@@ -373,6 +378,12 @@ impl Rule {
             Some(dropped_m) if self.or_higher => Some(fall_m.max(dropped_m)),
             _ => Some(fall_m),
         }
+    }
+
+    /// The same, by settings.
+    pub(super) fn fall_of(&self, settings: &Options) -> Option<f64> {
+        let dropped_m = settings.priors.drop_height_m.map(|height| height.value);
+        self.fall_m(settings.ball.diameter_m(), dropped_m)
     }
 
     /// Whether it compares two surfaces.

@@ -13,7 +13,6 @@ use super::rebound::Rebound;
 use super::rule::{Averaging, Evenness, Limits, Rule};
 use crate::analysis::{Drop, Options};
 use crate::ball::{self, Ball};
-use crate::diagnostic::Code;
 use crate::error::{Quantity, Result, positive_up_to};
 use crate::estimate::Estimate;
 use crate::stats;
@@ -160,22 +159,40 @@ pub fn judge(
     reference: &[Place],
     decision: Decision,
 ) -> Result<Verdict> {
+    let rebounds = |places: &[Place]| -> Vec<Vec<Rebound>> {
+        let of = |place: &Place| {
+            let drops = place.iter();
+            drops
+                .map(|drop| Rebound::new(drop, rule, settings))
+                .collect()
+        };
+        places.iter().map(of).collect()
+    };
+    let (surface, reference) = (rebounds(surface), rebounds(reference));
+    judge_rebounds(rule, settings, conditions, surface, reference, decision)
+}
+
+/// Judges drops of which the rebounds by this rule and these settings are known, by place.
+///
+/// # Errors
+/// As [`judge`].
+pub fn judge_rebounds(
+    rule: &Rule,
+    settings: &Options,
+    conditions: &Conditions,
+    surface: Vec<Vec<Rebound>>,
+    reference: Vec<Vec<Rebound>>,
+    decision: Decision,
+) -> Result<Verdict> {
     rule.check()?;
     decision.check()?;
-    let dropped_m = settings.priors.drop_height_m.map(|height| height.value);
-    let fall_m = rule.fall_m(settings.ball.diameter_m(), dropped_m);
-    let drops = rebounds(surface, rule, fall_m, settings);
-    let reference_drops = rebounds(reference, rule, fall_m, settings);
-    let procedure = procedure::checks(
-        rule,
-        settings.ball.diameter_m(),
-        conditions,
-        surface,
-        reference,
-    );
+    let fall_m = rule.fall_of(settings);
+    let counts = [&surface, &reference].map(|places| places.iter().map(Vec::len).collect());
+    let procedure = procedure::checks(rule, settings.ball.diameter_m(), conditions, &counts);
+    let (drops, reference_drops) = (placed(surface), placed(reference));
     let mut doubts = doubts(rule, fall_m, &procedure);
-    doubts.extend(of_drops(surface, &drops));
-    doubts.extend(of_drops(reference, &reference_drops));
+    doubts.extend(of_drops(&drops));
+    doubts.extend(of_drops(&reference_drops));
     let found = Found::new(rule, settings, fall_m, &drops, &reference_drops);
     let within = found.within(rule, &drops);
     let outcome = outcome(within, &doubts, &procedure, decision);
@@ -225,17 +242,12 @@ fn outcome(
     }
 }
 
-fn rebounds(
-    places: &[Place],
-    rule: &Rule,
-    fall_m: Option<f64>,
-    settings: &Options,
-) -> Vec<Rebound> {
-    let placed = places.iter().enumerate();
-    let drops = placed.flat_map(|(place, drops)| drops.iter().map(move |&drop| (place, drop)));
-    drops
-        .map(|(place, drop)| Rebound::new(place, drop, rule, fall_m, settings))
-        .collect()
+/// The drops of all places, each with the number of its place.
+fn placed(places: Vec<Vec<Rebound>>) -> Vec<Rebound> {
+    let placed = places.into_iter().enumerate();
+    let drops = placed
+        .flat_map(|(place, drops)| drops.into_iter().map(move |drop| Rebound { place, ..drop }));
+    drops.collect()
 }
 
 /// The values that a rule holds against its limits.
@@ -464,22 +476,14 @@ fn doubts(rule: &Rule, fall_m: Option<f64>, procedure: &[Check]) -> Vec<Inconclu
 }
 
 /// What keeps single drops from telling.
-fn of_drops(places: &[Place], rebounds: &[Rebound]) -> Vec<InconclusiveReason> {
-    let drops = places.iter().flatten();
+fn of_drops(rebounds: &[Rebound]) -> Vec<InconclusiveReason> {
     let mut doubts = Vec::new();
-    for ((drop, rebound), number) in drops.zip(rebounds).zip(1..) {
+    for (rebound, number) in rebounds.iter().zip(1..) {
         if rebound.height_m.is_none() {
             doubts.push(InconclusiveReason::NoFirstFlight(number));
         }
-        let known = drop.posterior.iter().flat_map(|found| &found.diagnostics);
-        let doubtful = |code| {
-            matches!(
-                code,
-                Code::HeightContradictsTimes | Code::FirstImpactDoubtful
-            )
-        };
-        let doubtful = known.filter(|known| doubtful(known.code));
-        doubts.extend(doubtful.map(|known| InconclusiveReason::Doubtful(known.clone())));
+        let doubtful = rebound.doubts.iter().cloned();
+        doubts.extend(doubtful.map(InconclusiveReason::Doubtful));
     }
     doubts
 }

@@ -16,7 +16,7 @@ use crate::rules;
 
 pub use notes::{MethodCheck, TestNotes};
 pub use tables::{budget, drops as drop_table, procedure, ways};
-pub use words::{because, by_rule, outcome, outcome_name};
+pub use words::{because, by_rule, outcome, outcome_name, so_far};
 
 /// The page of a verdict: what was decided, the rule, the rebound in several ways, each drop, what was
 /// assumed, the method, and how to repeat it; with the notes of a laboratory the report of a test.

@@ -2,6 +2,7 @@
 
 use bouncelab::rulebook::{Check, Kept, MeanRebound, Rebound, Rule, Verdict};
 
+use super::words::unit;
 use crate::messages::Translator;
 use crate::quantity::{Quantity, Unit};
 use crate::rules::words;
@@ -40,11 +41,7 @@ pub fn ways(verdict: &Verdict, translator: &Translator) -> Table {
         ],
     );
     let height = |mean: &Option<MeanRebound>| mean.as_ref().map(|mean| mean.height_m);
-    let unit = if verdict.share.is_some() {
-        Unit::Percent
-    } else {
-        Unit::Length
-    };
+    let unit = unit(verdict);
     let estimated = [
         (
             "verdict-by-procedure",

@@ -35,6 +35,33 @@ pub fn outcome(verdict: &Verdict, translator: &Translator) -> String {
     }
 }
 
+/// The value that the rule limits, with its uncertainty, and the decision.
+pub fn so_far(verdict: &Verdict, translator: &Translator) -> String {
+    let unit = unit(verdict);
+    let value = verdict.value().map_or_else(
+        || translator.text("unit-cannot-tell"),
+        |value| {
+            let shown = Quantity::of(&value, unit);
+            let interval = shown.interval_text(value.interval95, translator);
+            format!("{} ({interval})", shown.text(translator))
+        },
+    );
+    let words = [
+        ("value", value.into()),
+        ("outcome", outcome(verdict, translator).into()),
+    ];
+    translator.text_with("job-so-far", &words)
+}
+
+/// The unit of the value that the rule limits.
+pub(super) fn unit(verdict: &Verdict) -> Unit {
+    if verdict.share.is_some() {
+        Unit::Percent
+    } else {
+        Unit::Length
+    }
+}
+
 /// The decision rule, and what it accepts.
 pub fn by_rule(verdict: &Verdict, decision: Decision, translator: &Translator) -> Vec<String> {
     let mut lines = vec![match decision {
@@ -45,12 +72,8 @@ pub fn by_rule(verdict: &Verdict, decision: Decision, translator: &Translator) -
         Decision::Simple => translator.text("verdict-simple"),
     }];
     if let (Some(accepted), Decision::Guarded { .. }) = (&verdict.accepted, decision) {
-        let unit = if verdict.share.is_some() {
-            Unit::Percent
-        } else {
-            Unit::Length
-        };
-        let accepted = [("accepted", ends(accepted, unit, translator).into())];
+        let accepted = ends(accepted, unit(verdict), translator);
+        let accepted = [("accepted", accepted.into())];
         lines.push(translator.text_with("verdict-accepted", &accepted));
     }
     lines
