@@ -503,6 +503,60 @@ fn a_recording_survives_a_hundred_kills() {
     assert!(kept.len() > 2, "kept were {kept:?} samples");
 }
 
+/// A job is killed while a drop is added, by a file and by listening: the drop before stays as it was, and one that was not
+/// written down is counted by the next run.
+#[test]
+#[ignore = "needs strace"]
+fn a_job_survives_a_hundred_kills() {
+    const ADD: &[&str] = &["job", "add", "job", "in/b.wav"];
+    const LISTEN: &[&str] = &["job", "listen", "job", "--fast", "--from", "in/b.wav"];
+    for arguments in [ADD, LISTEN] {
+        let case = Case {
+            arguments,
+            grows: None,
+        };
+        let workspace = Workspace::new();
+        let run = |program: &str, arguments: &[&str]| {
+            let mut command = Command::new(program);
+            command.args(arguments).current_dir(workspace.0.path());
+            command.output().unwrap()
+        };
+        let bouncelab = env!("CARGO_BIN_EXE_bouncelab");
+        let new = [
+            "job",
+            "new",
+            "kept",
+            "--rule",
+            "ittf-38-table",
+            "--drops",
+            "2",
+        ];
+        assert!(run(bouncelab, &new).status.success());
+        let first = run(bouncelab, &["job", "add", "kept", "in/a.wav"]);
+        assert!(first.status.success(), "{}", text(&first.stderr));
+        let anew = || {
+            run("rm", &["-rf", "job"]);
+            assert!(run("cp", &["-r", "kept", "job"]).status.success());
+        };
+        anew();
+        let calls = workspace.undisturbed(&case);
+        for [trace, kill] in kills(&calls) {
+            anew();
+            workspace.run(&["-e", &trace, "-e", &kill], &case);
+            // The drop was written down before the kill, and is refused, or is now.
+            let again = workspace.run(&[], &case);
+            let shown = run(bouncelab, &["job", "show", "job"]);
+            let said = text(&shown.stdout) + &text(&shown.stderr) + &text(&again.stderr);
+            assert!(said.contains("place 1 of 1, drop 2 of 2"), "{kill}: {said}");
+            let kept = fs::read(workspace.path("job/sounds/001.wav")).unwrap();
+            assert!(
+                kept == fs::read(workspace.path("in/a.wav")).unwrap(),
+                "{kill}"
+            );
+        }
+    }
+}
+
 /// What was saved, if anything was, is a recording, the beginning of the one that was played, and all that the file
 /// holds but for a second. How many samples it has.
 fn assert_prefix(workspace: &Workspace, saved: &str) -> usize {

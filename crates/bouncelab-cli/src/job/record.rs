@@ -259,12 +259,17 @@ impl Job {
         self.write(&recorded, Event::Repeated { number, reason })
     }
 
-    /// The sounds that have no line: a crash or Ctrl-C came before it, so they do not count.
+    /// The sounds that have no line, nor are copies of one that has: a crash or Ctrl-C came before it.
     pub(super) fn uncounted(&self) -> Result<Vec<PathBuf>, Failure> {
         let known: BTreeSet<&Path> = self
             .recorded
             .iter()
             .map(|recorded| recorded.file.as_path())
+            .collect();
+        let hashes: BTreeSet<Hash> = self
+            .recorded
+            .iter()
+            .map(|recorded| recorded.sha256)
             .collect();
         let mut sounds = Vec::new();
         for entry in fs::read_dir(self.folder.join(SOUNDS))? {
@@ -272,8 +277,12 @@ impl Job {
             let is_hidden = file
                 .file_name()
                 .is_some_and(|name| name.as_encoded_bytes().starts_with(b"."));
-            if !is_hidden && !known.contains(file.as_path()) {
-                sounds.push(self.folder.join(file));
+            let path = self.folder.join(&file);
+            if !is_hidden
+                && !known.contains(file.as_path())
+                && !hashes.contains(&hash_of_file(&path)?)
+            {
+                sounds.push(path);
             }
         }
         sounds.sort();
