@@ -204,7 +204,7 @@ impl<S: Read + Seek> Walk<'_, '_, S> {
         let Some(tag) = self.frame(first)? else {
             return Ok(false);
         };
-        if !frames.is_cut && stated.is_miscounted(frames, frames.last.end - first, tag.len) {
+        if !frames.is_cut && stated.is_miscounted(frames, frames.last.end - first) {
             return Ok(true);
         }
         let Some(music) = &stated.music else {
@@ -232,19 +232,18 @@ impl<S: Read + Seek> Walk<'_, '_, S> {
 struct Tag {
     /// Number of frames behind the tag.
     frames: Option<u64>,
-    /// Length of the stream in bytes; some encoders do not count the tag.
+    /// Length of the stream in bytes, the tag included.
     bytes: Option<u64>,
     music: Option<Music>,
 }
 
 impl Tag {
-    /// Whether neither the number of frames nor the length is that of the file, `len` bytes with the tag of `tag_len`.
-    /// Some encoders count one of them in another way; frames that are missing or repeated change both.
-    fn is_miscounted(&self, frames: &Frames, len: u64, tag_len: u64) -> bool {
+    /// Whether neither the number of frames nor the length is that of the file, `len` bytes with the tag. Some encoders
+    /// count one of them in another way; frames that are missing or repeated change both.
+    fn is_miscounted(&self, frames: &Frames, len: u64) -> bool {
         // The last frame, which is not counted, stands for the tag, which is.
         let is_other_number = self.frames.is_some_and(|number| number != frames.count);
-        let is_length = |bytes| bytes == len || bytes + tag_len == len;
-        is_other_number && !self.bytes.is_some_and(is_length)
+        is_other_number && self.bytes != Some(len)
     }
 }
 
