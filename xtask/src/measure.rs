@@ -46,8 +46,8 @@ pub(crate) const PROGRAMS: [Program; 8] = [
     },
     Program {
         name: "damage",
-        arguments: "[FORMAT] [quick]",
-        about: "Damage a known drop in every FORMAT at every percent in four ways; print the table",
+        arguments: "[FORMAT] [quick] [step=N]",
+        about: "Damage a known drop in every FORMAT at every (Nth) percent in eleven ways; print the table",
     },
     Program {
         name: "laboratory",
@@ -73,7 +73,7 @@ const ON_LITTLE: [&[&str]; 9] = [
     &["calibrate", "2"],
     &["calibrate", "scenarios", "2", "true"],
     &["balls", "1"],
-    &["damage", "wav-float", "quick"],
+    &["damage", "wav-float", "quick", "step=9"],
     &["detection", "cells", "timing", "drops=1"],
     &["detection", "silence", "hours=0.002"],
     &["laboratory", "laboratory", "3"],

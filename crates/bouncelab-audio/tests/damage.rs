@@ -1,5 +1,5 @@
 //! No damage to a file of any format makes a wrong result that looks like a right one. `cargo xtask damage`
-//! tries every percent of each file, with the inference; here it is four places without.
+//! tries every percent of each file, with the inference; here it is one place of each damage without.
 
 use bouncelab::Options;
 use bouncelab::analysis::Gap;
@@ -14,7 +14,27 @@ fn no_damage_makes_a_wrong_result_that_looks_right() {
         let whole = analyse(&file, &name, &options).expect(&name);
         assert_eq!(whole.drops.len(), 1, "{name}");
         assert!(!is_warned(&whole), "{name}: {:?}", whole.diagnostics);
-        for (damage, percent) in Damage::ALL.into_iter().zip([22, 45, 37, 81]) {
+        let places = [22, 45, 37, 81, 23, 50, 40, 41, 43, 60, 3];
+        // Nothing counts the frames of these streams, and no checksum covers the packets of these codecs.
+        let is_uncounted = name == "aac.aac" || name.contains("no-tag");
+        let is_unchecked = [
+            "aac",
+            "opus.",
+            "opus-",
+            "alac",
+            "constant.mkv",
+            "vorbis.mkv",
+        ];
+        let is_unchecked = is_uncounted || is_unchecked.iter().any(|it| name.starts_with(it));
+        for (damage, percent) in Damage::ALL.into_iter().zip(places) {
+            let is_not_promised = match damage {
+                Damage::Dropped | Damage::Repeated | Damage::Inserted => is_uncounted,
+                Damage::Bits => is_unchecked,
+                _ => false,
+            };
+            if is_not_promised {
+                continue;
+            }
             let damaged = analyse(&damage.at(percent, &file), &name, &options);
             let verdict = judge(&whole, damaged.as_ref().ok());
             let numbers = words(&damaged);
@@ -182,5 +202,24 @@ fn a_packet_of_alac_that_becomes_noise_is_missing() {
     for (gap, start_s) in gaps.iter().zip([0.512, 1.024]) {
         assert!((gap.start_s - start_s).abs() < 1e-3, "{gap:?}");
         assert!((gap.duration_s - 0.256).abs() < 1e-3, "{gap:?}");
+    }
+}
+
+/// Of the tag's counts of frames and bytes both are others.
+#[test]
+fn frames_of_mp3_that_are_missing_or_repeated_are_noticed_by_the_tag() {
+    for name in ["constant.mp3", "variable.mp3"] {
+        let file = files().into_iter().find(|it| it.0 == name).unwrap().1;
+        for damage in [Damage::Dropped, Damage::Repeated, Damage::Joined] {
+            for percent in (5..95).step_by(6) {
+                let mut source = SoundReader::from_bytes(damage.at(percent, &file), name).unwrap();
+                while source.next_block().unwrap().is_some() {}
+                let is_noticed = source.warnings().iter().any(|warning| {
+                    matches!(warning, Warning::Altered { .. } | Warning::ClockLost { .. })
+                });
+                let warnings = source.warnings();
+                assert!(is_noticed, "{name}, {damage:?} at {percent}: {warnings:?}");
+            }
+        }
     }
 }

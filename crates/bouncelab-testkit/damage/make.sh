@@ -16,7 +16,6 @@ sound() {
         -fflags +bitexact -flags:a +bitexact "$@" "$work/drops/$output"
 }
 
-sound 16000 sound.aiff -c:a pcm_s16be
 sound 16000 sound.flac -c:a flac
 sound 16000 flac.ogg -c:a flac
 sound 16000 flac.mkv -c:a flac

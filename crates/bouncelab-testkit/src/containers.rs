@@ -1,7 +1,7 @@
-//! Containers that nothing in the project writes: WAV files of long recordings, and CAF.
+//! Containers that nothing in the project writes: WAV files of long recordings, AIFF and CAF.
 //!
 //! The layouts are those of EBU Tech 3306 (RF64), ITU-R BS.2088 (BW64), Sonic Foundry's description of
-//! Wave64, and Apple's Core Audio Format Specification. Each takes the sound of a WAV file as
+//! Wave64, and Apple's specifications of AIFF 1.3 and of the Core Audio Format. Each takes the sound of a WAV file as
 //! [`bouncelab_audio::encode_wav`] makes it of integers.
 
 /// Where the description of the sound of such a WAV file lies, and where its samples begin.
@@ -67,4 +67,33 @@ pub fn caf(wav: &[u8], sample_rate_hz: u32) -> Vec<u8> {
         chunk(b"data", &[&edits[..], &wav[SOUND..]].concat()),
     ]
     .concat()
+}
+
+/// AIFF with the samples of a WAV file of one channel of 16 bits.
+pub fn aiff(wav: &[u8], sample_rate_hz: u32) -> Vec<u8> {
+    let chunk = |name: &[u8], content: &[u8]| {
+        [name, &(content.len() as u32).to_be_bytes(), content].concat()
+    };
+    let (samples, _) = wav[SOUND..].as_chunks::<2>();
+    let sound: Vec<u8> = samples
+        .iter()
+        .flat_map(|&[low, high]| [high, low])
+        .collect();
+    // The rate has 80 bits: an exponent, then the number with its highest bit in front.
+    let shift = sample_rate_hz.leading_zeros();
+    let exponent = (16_383 + 31 - shift) as u16;
+    let description = [
+        &1_u16.to_be_bytes()[..],
+        &(samples.len() as u32).to_be_bytes(),
+        &16_u16.to_be_bytes(),
+        &exponent.to_be_bytes(),
+        &(sample_rate_hz << shift).to_be_bytes(),
+        &[0; 4],
+    ];
+    let chunks = [
+        b"AIFF".to_vec(),
+        chunk(b"COMM", &description.concat()),
+        chunk(b"SSND", &[&[0; 8][..], &sound].concat()),
+    ];
+    chunk(b"FORM", &chunks.concat())
 }

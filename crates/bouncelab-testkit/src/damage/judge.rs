@@ -102,6 +102,8 @@ pub fn is_warned(recording: &Recording) -> bool {
                 | Code::SoundBlank
                 | Code::SamplesNotFinite
                 | Code::ChecksumWrong
+                | Code::RateInDoubt
+                | Code::FormatChanges
         )
     })
 }

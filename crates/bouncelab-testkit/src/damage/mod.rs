@@ -1,6 +1,7 @@
 //! A known drop in every format, and the ways in which files of recordings are damaged.
 
 mod judge;
+mod kinds;
 
 use std::io::Read;
 use std::path::PathBuf;
@@ -10,58 +11,10 @@ use bouncelab::synth::{Noise, Rendered, Scene, render};
 use bouncelab_audio::{SampleFormat, encode_wav};
 use flate2::read::GzDecoder;
 
-use crate::containers::{caf, rf64, w64};
+use crate::containers::{aiff, caf, rf64, w64};
 
 pub use judge::{Verdict, analyse, is_warned, judge, words};
-
-/// What happens to a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Damage {
-    /// One bit of one byte is another.
-    Bit,
-    /// 300 bytes are zero.
-    Zeros,
-    /// 2,000 bytes are missing.
-    Removed,
-    /// All that follows is missing.
-    Truncated,
-}
-
-impl Damage {
-    /// Every way.
-    pub const ALL: [Self; 4] = [Self::Bit, Self::Zeros, Self::Removed, Self::Truncated];
-
-    /// In words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Bit => "one bit",
-            Self::Zeros => "300 zeros",
-            Self::Removed => "2,000 bytes missing",
-            Self::Truncated => "cut",
-        }
-    }
-
-    /// The file after it, `percent` of its length from its beginning.
-    pub fn at(self, percent: usize, file: &[u8]) -> Vec<u8> {
-        let place = file.len() * percent / 100;
-        let (front, back) = file.split_at(place);
-        let mut damaged = front.to_vec();
-        match self {
-            Self::Bit => {
-                damaged.extend_from_slice(back);
-                damaged[place] ^= 1 << (percent % 8);
-            }
-            Self::Zeros => {
-                let zeros = back.len().min(300);
-                damaged.resize(place + zeros, 0);
-                damaged.extend_from_slice(&back[zeros..]);
-            }
-            Self::Removed => damaged.extend_from_slice(&back[back.len().min(2_000)..]),
-            Self::Truncated => {}
-        }
-        damaged
-    }
-}
+pub use kinds::Damage;
 
 /// The drop of the files: a table-tennis ball from 0.35 m, with restitution 0.86 that scatters by half a
 /// percent, over soft noise.
@@ -111,17 +64,22 @@ pub fn files() -> Vec<(String, Vec<u8>)> {
 }
 
 fn uncompressed() -> Vec<(String, Vec<u8>)> {
-    let drop = drop(16_000);
-    let wav = |format| {
+    let encode = |drop: &Rendered, format| {
         encode_wav(drop.sample_rate_hz, format, &[&drop.samples]).expect("a sound of seconds")
     };
+    let drop_16 = drop(16_000);
+    let wav = |format| encode(&drop_16, format);
     let wav_16 = wav(SampleFormat::Int16);
-    let bytes = 2 * drop.samples.len() as u64;
+    let bytes = 2 * drop_16.samples.len() as u64;
+    // Other rates are unusual in these formats, and named.
+    let usual = drop(48_000);
+    let wav_usual = encode(&usual, SampleFormat::Int16);
     let files = [
         ("rf64.wav", rf64(*b"RF64", &wav_16, bytes, b"")),
         ("bw64.wav", rf64(*b"BW64", &wav_16, bytes, b"")),
         ("wave64.w64", w64(&wav_16, 24 + bytes, b"")),
-        ("pcm.caf", caf(&wav_16, drop.sample_rate_hz)),
+        ("pcm.caf", caf(&wav_usual, usual.sample_rate_hz)),
+        ("sound.aiff", aiff(&wav_usual, usual.sample_rate_hz)),
         ("wav-24.wav", wav(SampleFormat::Int24)),
         ("wav-float.wav", wav(SampleFormat::Float32)),
         ("wav-16.wav", wav_16),
