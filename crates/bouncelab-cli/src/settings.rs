@@ -173,6 +173,9 @@ pub(crate) struct EditArguments {
     /// background)
     #[arg(long, value_name = "LOW..HIGH", value_parser = frequency_range)]
     band: Option<Range<f64>>,
+    /// Take for a drop what is only possibly one, by its number in the result without it
+    #[arg(long, value_name = "N", value_delimiter = ',')]
+    accept: Vec<usize>,
     /// Exclude the impacts at these times, as in 1.234s,2.5s
     #[arg(long, value_name = "TIMES", value_delimiter = ',', allow_hyphen_values = true, value_parser = units::time)]
     exclude: Vec<f64>,
@@ -221,6 +224,7 @@ impl RecordingArguments {
         let band_hz = edits.band.as_ref();
         settings.detection.band_hz = band_hz.map(|band_hz| (band_hz.start, band_hz.end));
         settings.edits = EditSettings {
+            accept: Some(edits.accept.clone()),
             exclude_s: Some(edits.exclude.clone()),
             include_s: Some(edits.include.clone()),
         };

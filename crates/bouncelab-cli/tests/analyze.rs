@@ -59,6 +59,49 @@ fn write_text(folder: &TempDir, name: &str, text: &str) -> PathBuf {
     path
 }
 
+/// Four clear impacts are too few to be taken for a drop: they are offered, count nowhere, and are analysed once accepted.
+#[test]
+fn what_may_be_a_drop_is_offered_and_counts_once_it_is_accepted() {
+    let folder = TempDir::new().unwrap();
+    let few: Vec<ImpactEvent> = strikes(2.4, 0.9).take(4).collect();
+    let sound = synth::render(&few, &Scene::default(), 3).unwrap();
+    let file = write_samples(&folder, "few.wav", &sound.samples);
+    let offered = json(&mut analyze(&file));
+    assert_eq!(offered["drops"].as_array().unwrap().len(), 0);
+    let [candidate] = offered["candidates"].as_array().unwrap().as_slice() else {
+        panic!("{}", offered["candidates"])
+    };
+    let probability = candidate["probability"].as_f64().unwrap();
+    assert!((0.01..=0.5).contains(&probability), "{probability}");
+    assert_eq!(candidate["impacts"].as_array().unwrap().len(), 4);
+    let offers = predicate::str::contains("Possible drop 1: from")
+        .and(predicate::str::contains("--accept 1"));
+    analyze(&file).assert().code(1).stdout("").stderr(offers);
+
+    let accepted = json(analyze(&file).args(["--accept", "1"]));
+    assert_eq!(accepted["candidates"].as_array().unwrap().len(), 0);
+    let [drop] = accepted["drops"].as_array().unwrap().as_slice() else {
+        panic!("{}", accepted["drops"])
+    };
+    assert_eq!(drop["probability"], candidate["probability"]);
+    let restitution = &drop["posterior"]["restitution"];
+    let (value, sd) = (
+        restitution["value"].as_f64().unwrap(),
+        restitution["sd"].as_f64().unwrap(),
+    );
+    assert!(
+        (value - 0.9).abs() < 3.0 * sd && sd < 0.05,
+        "{value} ± {sd}"
+    );
+
+    let unknown = predicate::str::contains("no possible drop of the number 2");
+    analyze(&file)
+        .args(["--accept", "2"])
+        .assert()
+        .code(1)
+        .stderr(unknown);
+}
+
 /// A table-tennis ball that was said to be of steel, which the air hardly slows.
 #[test]
 fn balls_are_compared_where_that_is_asked() {

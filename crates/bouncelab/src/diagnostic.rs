@@ -212,6 +212,10 @@ codes! {
     DropsAtOnce = "drops-at-once", Warning, ["start_s", "end_s"];
     /// Samples are clipped.
     Clipped = "clipped", Warning, ["samples"];
+    /// Sounds may be a drop, but other sounds are more likely.
+    PossibleDrop = "possible-drop", Info, ["number", "start_s", "impacts", "probability"];
+    /// A candidate is to be accepted that does not exist.
+    NoCandidate = "no-candidate", Warning, ["number", "count"];
     /// No impact lies within 20 ms of a time to exclude.
     NothingToExclude = "nothing-to-exclude", Warning, ["time_s"];
     /// A time to include lies too far from every drop.

@@ -1,9 +1,11 @@
 //! Reads and analyses a file.
 
+use std::iter;
 use std::path::Path;
 use std::time::Duration;
 
 use bouncelab::analysis::{DropTask, Plan};
+use bouncelab::diagnostic::{Code, Diagnostic};
 use bouncelab::{Options, Plain, Recording};
 use bouncelab_audio::Input;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -44,14 +46,18 @@ impl Analysed {
         Self { name, result }
     }
 
-    /// Why there is no drop; `None` if there is one.
+    /// Why there is no drop, and what may be one, a line each; `None` if there is one.
     pub(crate) fn no_drop(&self) -> Option<String> {
         let reason = translator().diagnostic(self.result.no_drop.as_ref()?);
         let why = [
             ("name", self.name.as_str().into()),
             ("reason", reason.into()),
         ];
-        Some(text_with("analyze-no-drop", &why))
+        let offers = |it: &&Diagnostic| matches!(it.code, Code::PossibleDrop | Code::NoCandidate);
+        let offers = self.result.diagnostics.iter().filter(offers);
+        let lines = iter::once(text_with("analyze-no-drop", &why))
+            .chain(offers.map(|offer| format!("  {}", translator().diagnostic(offer))));
+        Some(lines.collect::<Vec<_>>().join("\n"))
     }
 }
 

@@ -19,6 +19,11 @@ diagnostic-clipped = { $samples ->
     [one] 1 Abtastwert ist übersteuert
    *[other] { $samples } Abtastwerte sind übersteuert
   }: Die Aufnahme war zu laut; Zeiten leiden kaum, Pegel schon.
+diagnostic-possible-drop = Möglicher Versuch { $number }: ab { $start_s } s, { $impacts } Aufpralle, Wahrscheinlichkeit { $probability }. Er zählt nur, wenn man ihn annimmt (--accept { $number }).
+diagnostic-no-candidate = Einen möglichen Versuch mit der Nummer { $number } gibt es nicht, sondern { $count ->
+    [0] keinen
+   *[other] { $count }
+  }.
 diagnostic-nothing-to-exclude = Bei { $time_s } s liegt kein Aufprall, darum wurde dort keiner weggelassen.
 diagnostic-too-far-to-include = { $time_s } s liegt mehr als { $reach_s } von jedem Versuch entfernt und wurde darum nicht hinzugefügt.
 diagnostic-sound-lost = Bei { $at_s } s ging Ton verloren: Kein Flug über eine Lücke zählt, und von { $impacts } Aufprallen nur die { $kept } des längsten Stücks ohne Lücke.

@@ -22,6 +22,11 @@ diagnostic-clipped = { $samples ->
     [one] 1 sample is clipped
    *[other] { $samples } samples are clipped
   }: the recording level was too high; impact times are hardly affected, levels are.
+diagnostic-possible-drop = Possible drop { $number }: from { $start_s } s, { $impacts } impacts, probability { $probability }. It counts only if you accept it (--accept { $number }).
+diagnostic-no-candidate = There is no possible drop of the number { $number }, but { $count ->
+    [0] none
+   *[other] { $count }
+  }.
 diagnostic-nothing-to-exclude = No impact lies near { $time_s } s, so none was excluded there.
 diagnostic-too-far-to-include = { $time_s } s lies more than { $reach_s } away from every drop, so it was not added.
 diagnostic-sound-lost = Sound was lost at { $at_s } s: of { $impacts } impacts, the { $kept } of the longest part without a gap are used.

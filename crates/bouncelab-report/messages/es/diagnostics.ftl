@@ -19,6 +19,11 @@ diagnostic-clipped = { $samples ->
     [one] 1 muestra está recortada
    *[other] { $samples } muestras están recortadas
   }: el nivel de grabación era demasiado alto; los tiempos de impacto apenas se ven afectados, los niveles sí.
+diagnostic-possible-drop = Posible ensayo { $number }: desde { $start_s } s, { $impacts } impactos, probabilidad { $probability }. Solo cuenta si lo aceptas (--accept { $number }).
+diagnostic-no-candidate = No hay ningún posible ensayo con el número { $number }, sino { $count ->
+    [0] ninguno
+   *[other] { $count }
+  }.
 diagnostic-nothing-to-exclude = No hay ningún impacto cerca de { $time_s } s, así que no se excluyó nada allí.
 diagnostic-too-far-to-include = { $time_s } s está a más de { $reach_s } de todo ensayo, así que no se añadió.
 diagnostic-sound-lost = Se perdió sonido en { $at_s } s: de { $impacts } impactos se usan los { $kept } de la parte más larga sin hueco.

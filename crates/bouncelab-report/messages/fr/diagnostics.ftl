@@ -19,6 +19,11 @@ diagnostic-clipped = { $samples ->
     [one] { $samples } échantillon est écrêté
    *[other] { $samples } échantillons sont écrêtés
   } : le niveau d’enregistrement était trop élevé ; les temps d’impact n’en souffrent guère, les niveaux si.
+diagnostic-possible-drop = Essai possible { $number } : à partir de { $start_s } s, { $impacts } impacts, probabilité { $probability }. Il ne compte que si tu l’acceptes (--accept { $number }).
+diagnostic-no-candidate = Il n’y a pas d’essai possible de numéro { $number }, mais { $count ->
+    [0] aucun
+   *[other] { $count }
+  }.
 diagnostic-nothing-to-exclude = Aucun impact n’est proche de { $time_s } s : rien n’y a été exclu.
 diagnostic-too-far-to-include = { $time_s } s est à plus de { $reach_s } de tout essai, et n’a pas été ajouté.
 diagnostic-sound-lost = Du son a été perdu à { $at_s } s : des { $impacts } impacts, les { $kept } de la plus longue partie sans lacune sont utilisés.

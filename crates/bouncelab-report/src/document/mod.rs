@@ -61,6 +61,7 @@ pub struct FailedDocument<'a> {
     source: (),
     drops: [(); 0],
     no_drop: &'a Diagnostic,
+    candidates: [(); 0],
     diagnostics: [(); 0],
 }
 
@@ -103,6 +104,7 @@ impl<'a> FailedDocument<'a> {
             source: (),
             drops: [],
             no_drop: reason,
+            candidates: [],
             diagnostics: [],
         }
     }

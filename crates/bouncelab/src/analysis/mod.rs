@@ -87,10 +87,12 @@ pub struct Options {
     pub compares_balls: bool,
 }
 
-/// Impacts excluded and included by hand, and gaps.
+/// Candidates accepted, impacts excluded and included by hand, and gaps.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Edits {
+    /// Candidates that are drops, by their place in [`Recording::candidates`], the first being 1.
+    pub accept: Vec<usize>,
     /// Times of impacts to exclude, in seconds: of each, the nearest impact within 20 ms.
     pub exclude_s: Vec<f64>,
     /// Times of impacts to add, in seconds.

@@ -154,6 +154,12 @@ impl Plan {
             recording.no_drop = veto.or(recording.no_drop.take());
             is_drop
         });
+        if candidates.is_empty() {
+            let offered = detection.found.candidates.iter();
+            recording.candidates = offered
+                .map(|train| DropCandidate::detected(train, &detection.envelope))
+                .collect();
+        }
         let mut plan = Self::new(recording, candidates, options);
         plan.recording.envelope = Some(detection.envelope);
         plan
@@ -214,6 +220,17 @@ impl Plan {
         mut candidates: Vec<DropCandidate>,
         options: &Options,
     ) -> Self {
+        for &number in &options.edits.accept {
+            match recording.candidates.get(number.wrapping_sub(1)) {
+                Some(accepted) => candidates.push(accepted.clone()),
+                None => recording.diagnostics.push(
+                    Diagnostic::new(Code::NoCandidate)
+                        .with("number", number)
+                        .with("count", recording.candidates.len()),
+                ),
+            }
+        }
+        sort_by_number(&mut candidates, DropCandidate::start_s);
         recording
             .diagnostics
             .extend(apply(&options.edits, &mut candidates));
@@ -226,6 +243,19 @@ impl Plan {
             let known = recording.no_drop.take();
             known.unwrap_or_else(|| Diagnostic::new(Code::NothingLeft))
         });
+        if !candidates.is_empty() {
+            recording.candidates.clear();
+        }
+        let offered = (1..).zip(&recording.candidates);
+        recording
+            .diagnostics
+            .extend(offered.map(|(number, candidate)| {
+                Diagnostic::new(Code::PossibleDrop)
+                    .with("number", number)
+                    .with("start_s", candidate.start_s())
+                    .with("impacts", candidate.impacts.len())
+                    .with("probability", candidate.probability)
+            }));
         let starts_s: Vec<f64> = candidates.iter().map(DropCandidate::start_s).collect();
         let tasks = candidates.into_iter().map(|candidate| DropTask {
             options: options.for_drop(candidate.start_s(), &starts_s),
@@ -414,6 +444,7 @@ mod tests {
 
     fn edits(exclude_s: &[f64], include_s: &[f64]) -> Edits {
         Edits {
+            accept: Vec::new(),
             exclude_s: exclude_s.to_vec(),
             include_s: include_s.to_vec(),
             gaps: Vec::new(),

@@ -1,7 +1,7 @@
 //! The result types of a recording and its drops, which are the JSON schema
 //! `bouncelab.analysis/3`.
 
-use super::{BallComparison, ListOrigin, Options};
+use super::{BallComparison, DropCandidate, ListOrigin, Options};
 #[cfg(feature = "serde")]
 use crate::Error;
 use crate::Result;
@@ -28,6 +28,8 @@ pub struct Recording {
     pub drops: Vec<Drop>,
     /// Why there is none.
     pub no_drop: Option<Diagnostic>,
+    /// What may be a drop, where none is certain: the most likely first, a few at most.
+    pub candidates: Vec<DropCandidate>,
     /// Diagnostics of the recording as a whole.
     pub diagnostics: Vec<Diagnostic>,
     /// Loudness over time, if it is sound.
@@ -43,6 +45,7 @@ impl Recording {
             strongest_band: None,
             drops: Vec::new(),
             no_drop: None,
+            candidates: Vec::new(),
             diagnostics: Vec::new(),
             envelope: None,
         }

@@ -381,6 +381,7 @@ impl ChannelDetector {
             (open_from_s - OPEN_MARGIN_S).max(self.forgotten_before_s(now_s, OPEN_CROWD_DIVISOR));
         let past_s = closed_s.min(kept_from_s);
         result.periodic.retain(|r| r.start_s <= past_s);
+        result.candidates.retain(|train| train.end_s() <= past_s);
         // The impacts of an accepted drop are removed from the candidates.
         let is_evaluated = |onset: &Onset| {
             onset.time_s <= past_s || result.trains.iter().any(|train| train.has(onset))
@@ -406,13 +407,14 @@ impl ChannelDetector {
 
     /// Aligns these trains while their samples are available, and adds them to the result.
     fn take(&mut self, mut result: TrainSearch) {
-        for train in &mut result.trains {
+        for train in result.trains.iter_mut().chain(&mut result.candidates) {
             let around_s = train.start_s() - ALIGNED_REACH_S..train.end_s() + ALIGNED_REACH_S;
             let excerpt = self.read(around_s);
             train.align(&excerpt.samples, excerpt.start_s, excerpt.rate_hz);
         }
         self.found.trains.append(&mut result.trains);
         self.found.periodic.append(&mut result.periodic);
+        self.found.add_candidates(result.candidates);
     }
 
     fn finish(mut self, channel: usize, distinct_channels: usize) -> Detection {

@@ -158,6 +158,7 @@ impl DropWatch {
                     .filter(|distant| distant.end_s() > before.time_s)
                     .cloned()
                     .collect(),
+                candidates: Vec::new(),
                 periodic: Vec::new(),
             },
             duration_s: now_s,

@@ -17,13 +17,15 @@ pub struct DetectionSettings {
     pub band_hz: Option<(f64, f64)>,
 }
 
-/// Impacts excluded and included by hand.
+/// Candidates accepted, and impacts excluded and included by hand.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
 #[cfg_attr(feature = "typescript", ts(optional_fields))]
 pub struct EditSettings {
+    /// What may be a drop and is taken for one, by its place in `candidates`, the first being 1.
+    pub accept: Option<Vec<usize>>,
     /// Times of impacts to exclude: of each, the nearest impact within 20 ms.
     pub exclude_s: Option<Vec<f64>>,
     /// Times of impacts to add.
@@ -55,6 +57,7 @@ impl DetectionSettings {
 impl EditSettings {
     pub(super) fn resolve(&self) -> Edits {
         Edits {
+            accept: self.accept.clone().unwrap_or_default(),
             exclude_s: self.exclude_s.clone().unwrap_or_default(),
             include_s: self.include_s.clone().unwrap_or_default(),
             gaps: Vec::new(),

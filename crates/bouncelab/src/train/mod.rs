@@ -44,9 +44,9 @@ pub(crate) use evidence::Span;
 use missing::{expected, ratio_near};
 pub(crate) use parameters::LN_MISSED;
 use parameters::{
-    COMPARED_WITH_FIRST, GRAVITY_M_S2, MAX_ECHO_S, MAX_INTERVAL_S, MAX_JOINED_LN_RATIO,
-    MAX_LAST_FLIGHTS, MAX_NOTICE_S, MAX_SHARED_S, MIN_CONCURRENT_IMPACTS, MIN_DISTANT_DB,
-    MIN_SEARCHED_FLIGHT_S,
+    COMPARED_WITH_FIRST, GRAVITY_M_S2, MAX_CANDIDATES, MAX_ECHO_S, MAX_INTERVAL_S,
+    MAX_JOINED_LN_RATIO, MAX_LAST_FLIGHTS, MAX_NOTICE_S, MAX_SHARED_S, MIN_CONCURRENT_IMPACTS,
+    MIN_DISTANT_DB, MIN_SEARCHED_FLIGHT_S,
 };
 pub(crate) use search::{Excerpt, search};
 
@@ -76,7 +76,7 @@ pub struct Train {
 }
 
 impl Train {
-    /// The detected impacts, at least [`MIN_IMPACTS`], in order of time.
+    /// The detected impacts in order of time: at least [`MIN_IMPACTS`], of a candidate at least three.
     pub fn impacts(&self) -> &[TrainImpact] {
         &self.impacts
     }
@@ -259,6 +259,8 @@ pub struct TrainSearch {
     pub trains: Vec<Train>,
     /// Trains left out because they are much fainter than the rest: other balls, farther away.
     pub distant: Vec<Train>,
+    /// Trains that are less likely drops than other sounds, the most likely first: a few at most.
+    pub candidates: Vec<Train>,
     /// Sequences that look like a train but keep time: a clock, a machine, steps, applause.
     pub periodic: Vec<PeriodicSequence>,
 }
@@ -292,6 +294,13 @@ impl TrainSearch {
         let mut distant = trains.iter().map(is_distant);
         self.distant
             .extend(self.trains.extract_if(.., |_| distant.next() == Some(true)));
+    }
+
+    /// Adds candidates, and keeps the most likely of all.
+    pub(crate) fn add_candidates(&mut self, candidates: impl IntoIterator<Item = Train>) {
+        self.candidates.extend(candidates);
+        sort_by_number(&mut self.candidates, |train| -train.evidence);
+        self.candidates.truncate(MAX_CANDIDATES);
     }
 
     /// The times in which two trains overlap, start and end of each in seconds.

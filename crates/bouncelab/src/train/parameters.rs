@@ -14,6 +14,12 @@ pub(super) const GRAVITY_M_S2: f64 = 9.81;
 
 /// Minimum evidence of a train, nats: from there on a drop is more likely than other sounds.
 pub(super) const MIN_EVIDENCE: f64 = 0.0;
+/// Minimum evidence of a train that is offered where no drop is certain, nats: one in a hundred is a drop.
+pub(super) const MIN_CANDIDATE_EVIDENCE: f64 = -4.6;
+/// Minimum number of impacts of such a train: two flights show whether they shrink.
+pub(super) const MIN_CANDIDATE_IMPACTS: usize = 3;
+/// Maximum number of such trains of a recording.
+pub(super) const MAX_CANDIDATES: usize = 3;
 /// Maximum size of the evidence at which the waveforms are compared, nats: they contribute no more than this.
 pub(super) const MAX_DOUBT: f64 = 8.0;
 /// Minimum difference of level at equal impact speed from which a train is another ball farther away, dB: 12 dB are four

@@ -6,7 +6,8 @@ use super::evidence::{self, Span};
 use super::parameters::{
     AGREEING_IMPACTS, AGREEING_OTHERS, AGREEING_SOUNDS, COMPARED_MARGIN_S, COMPARED_REACH_S,
     CONCURRENT_REACH_S, CROWD_REACH_S, ISOLATION_REACH_S, LN_CONCURRENT, LN_CONTINUES, LN_RHYTHM,
-    MAX_COMPARED, MAX_DOUBT, MAX_FAINT_ONSETS, MIN_EVIDENCE, MIN_FALL_S,
+    MAX_COMPARED, MAX_DOUBT, MAX_FAINT_ONSETS, MIN_CANDIDATE_EVIDENCE, MIN_CANDIDATE_IMPACTS,
+    MIN_EVIDENCE, MIN_FALL_S,
 };
 use super::rhythm::{self, Pulse};
 use super::{MIN_IMPACTS, Onset, PeriodicSequence, Train, TrainImpact, TrainSearch};
@@ -58,7 +59,10 @@ fn informative(onsets: &[Onset]) -> Vec<Onset> {
 /// Takes the best train and searches again before and after it.
 fn search_among(onsets: &[Onset], span: Span, read: Read, result: &mut TrainSearch) {
     let best = match best(onsets, span, read, 0.0) {
-        None => return,
+        None => {
+            result.add_candidates(candidate(onsets, span, read));
+            return;
+        }
         Some(Best::Rhythm(links)) => {
             let others = take_periodic(onsets, &links, result);
             search_among(&others, span, read, result);
@@ -93,12 +97,10 @@ fn best(onsets: &[Onset], span: Span, read: Read, ln_prior: f64) -> Option<Best>
     if onsets.len() < MIN_IMPACTS {
         return None;
     }
-    let mut chain = chain::best(onsets, span)?;
+    let mut chain = chain::best(onsets, span, MIN_IMPACTS)?;
     let rhythm = chain.end_at_rhythm(onsets);
-    chain.evidence += ln_prior + isolation(onsets, &chain) + loudest(onsets, &chain);
-    if chain.evidence.abs() < MAX_DOUBT {
-        chain.evidence += agreement(onsets, &chain, read);
-    }
+    chain.evidence += ln_prior;
+    weigh_sounds(&mut chain, onsets, read);
     if chain.evidence < MIN_EVIDENCE {
         return rhythm.map(Best::Rhythm);
     }
@@ -120,6 +122,29 @@ fn best(onsets: &[Onset], span: Span, read: Read, ln_prior: f64) -> Option<Best>
         log_bayes_factor,
         impacts: impacts(onsets, &chain),
     }))
+}
+
+/// Adds the evidence of the sounds of a chain to that of its times.
+fn weigh_sounds(chain: &mut Chain, onsets: &[Onset], read: Read) {
+    chain.evidence += isolation(onsets, chain) + loudest(onsets, chain);
+    if chain.evidence.abs() < MAX_DOUBT {
+        chain.evidence += agreement(onsets, chain, read);
+    }
+}
+
+/// The best chain among onsets without a drop, also of fewer impacts, if it is not much less likely than chance.
+fn candidate(onsets: &[Onset], span: Span, read: Read) -> Option<Train> {
+    let mut chain = chain::best(onsets, span, MIN_CANDIDATE_IMPACTS)?;
+    weigh_sounds(&mut chain, onsets, read);
+    let beats = chain::beats(onsets, &chain.links);
+    let over_rhythm = chain.ln_flights(onsets) - rhythm::ln_likelihood(&beats) - LN_RHYTHM;
+    // More evidence than of chance has only a chain that is too short for a drop.
+    let evidence = over_both(chain.evidence, over_rhythm).min(MIN_EVIDENCE);
+    (evidence > MIN_CANDIDATE_EVIDENCE).then(|| Train {
+        evidence,
+        log_bayes_factor: chain.evidence,
+        impacts: impacts(onsets, &chain),
+    })
 }
 
 /// Adds the drops that share their time with these: other balls that bounce concurrently.
@@ -324,7 +349,7 @@ mod tests {
         let mut times_s = [impacts_s, others_s].concat();
         times_s.sort_by(f64::total_cmp);
         let onsets: Vec<Onset> = times_s.into_iter().map(Onset::click).collect();
-        let chain = chain::best(&onsets, Span::UNBOUNDED).unwrap();
+        let chain = chain::best(&onsets, Span::UNBOUNDED, MIN_IMPACTS).unwrap();
         assert_eq!(chain.links.len(), 6);
         agreement(&onsets, &chain, read)
     }

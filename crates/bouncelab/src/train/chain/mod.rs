@@ -66,8 +66,8 @@ pub(crate) fn work(onsets: &[Onset]) -> u64 {
     before.map(|before| before * before).sum()
 }
 
-/// The chain with the most evidence, if any has enough impacts.
-pub(super) fn best(onsets: &[Onset], span: Span) -> Option<Chain> {
+/// The chain with the most evidence, if any has at least this many impacts.
+pub(super) fn best(onsets: &[Onset], span: Span, min_impacts: usize) -> Option<Chain> {
     let around = Surroundings::of(onsets, span);
     let mut nodes: Vec<(State, Origin)> = Vec::new();
     // The nodes that end at onset j are nodes[ends[j]..ends[j + 1]].
@@ -100,7 +100,7 @@ pub(super) fn best(onsets: &[Onset], span: Span) -> Option<Chain> {
     }
     let hypothesis = |node: usize| &nodes[node].0.hypothesis;
     let end = (0..nodes.len())
-        .filter(|&node| hypothesis(node).impacts() >= MIN_IMPACTS)
+        .filter(|&node| hypothesis(node).impacts() >= min_impacts)
         .max_by(|&a, &b| hypothesis(a).evidence.total_cmp(&hypothesis(b).evidence))?;
     let last_onset = ends.partition_point(|&e| e <= end) - 1;
     let evidence = hypothesis(end).evidence;
