@@ -210,6 +210,8 @@ codes! {
     DistantBall = "distant-ball", Info, ["start_s", "end_s", "impacts"];
     /// Two drops share their time: two balls bounced at once.
     DropsAtOnce = "drops-at-once", Warning, ["start_s", "end_s"];
+    /// Sounds as loud as the impacts of a drop are near it and were not used.
+    SoundsUnused = "sounds-unused", Info, ["count", "start_s"];
     /// Samples are clipped.
     Clipped = "clipped", Warning, ["samples"];
     /// Sounds may be a drop, but other sounds are more likely.

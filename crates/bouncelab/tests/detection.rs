@@ -373,6 +373,54 @@ fn clicks_are_not_impacts() {
     assert!(train.impacts().len() <= audible(&sound).len() + 2);
 }
 
+/// Of an impact with which the recording begins, the beginning may be missing: its stated error contains that.
+#[test]
+fn an_impact_at_the_start_of_the_recording_is_known_less_well() {
+    let sound = synth::render(&usual_strikes(), &scene(40.0), 5).unwrap();
+    let rate_hz = f64::from(sound.sample_rate_hz);
+    let first_s = audible(&sound)[0];
+    for before_s in [0.001, 0.002, 0.005] {
+        let start = ((first_s - before_s) * rate_hz) as usize;
+        let detection = detect_in(&sound.samples[start..], sound.sample_rate_hz);
+        let recording = Plan::of_detection(detection, &Options::default()).run();
+        let first = recording.drops[0].impacts[0];
+        let truth_s = first_s - start as f64 / rate_hz;
+        let sd_s = first.time_sd_s.unwrap();
+        assert!(
+            (first.time_s - truth_s).abs() < 3.0 * sd_s,
+            "{before_s}: {first:?}"
+        );
+        assert!((0.001..0.01).contains(&sd_s), "{before_s}: {first:?}");
+    }
+    let whole = Plan::of_detection(detect(&sound), &Options::default()).run();
+    assert!(whole.drops[0].impacts[0].time_sd_s.unwrap() < 1e-4);
+}
+
+/// A ball that bounces sooner after a drop than the same ball could fall again is offered, and sounds between are named.
+#[test]
+fn a_train_close_behind_another_is_offered() {
+    let mut both: Vec<ImpactEvent> = dropped(0.4, 0.94).into_iter().take(11).collect();
+    let end_s = both[10].time_s;
+    both.extend(strikes(0.53, 0.963).take(6).map(|strike| ImpactEvent {
+        time_s: end_s + 0.26 + strike.time_s,
+        ..strike
+    }));
+    let sound = synth::render(&both, &scene(40.0), 7).unwrap();
+    let found = detect(&sound).found;
+    assert_eq!(found.trains.len(), 1, "{:?}", found.trains);
+    assert_eq!(found.trains[0].impacts().len(), 11);
+    let [offered] = found.candidates.as_slice() else {
+        panic!("{:?}", found.candidates)
+    };
+    let seconds = &audible(&sound)[11..];
+    let of_second = |time_s: &f64| {
+        seconds
+            .iter()
+            .any(|truth_s| (time_s - truth_s).abs() < SAME_S)
+    };
+    assert!(times(offered).iter().all(of_second) && times(offered).len() >= 5);
+}
+
 #[test]
 fn two_drops_are_two_trains() {
     let first = usual_strikes();

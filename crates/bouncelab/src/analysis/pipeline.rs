@@ -154,12 +154,10 @@ impl Plan {
             recording.no_drop = veto.or(recording.no_drop.take());
             is_drop
         });
-        if candidates.is_empty() {
-            let offered = detection.found.candidates.iter();
-            recording.candidates = offered
-                .map(|train| DropCandidate::detected(train, &detection.envelope))
-                .collect();
-        }
+        let offered = detection.found.candidates.iter();
+        recording.candidates = offered
+            .map(|train| DropCandidate::detected(train, &detection.envelope))
+            .collect();
         let mut plan = Self::new(recording, candidates, options);
         plan.recording.envelope = Some(detection.envelope);
         plan
@@ -243,10 +241,8 @@ impl Plan {
             let known = recording.no_drop.take();
             known.unwrap_or_else(|| Diagnostic::new(Code::NothingLeft))
         });
-        if !candidates.is_empty() {
-            recording.candidates.clear();
-        }
         let offered = (1..).zip(&recording.candidates);
+        let offered = offered.filter(|(number, _)| !options.edits.accept.contains(number));
         recording
             .diagnostics
             .extend(offered.map(|(number, candidate)| {
@@ -327,6 +323,7 @@ impl DropCandidate {
         let mut impacts: Vec<Impact> = train.impacts().iter().map(Impact::from).collect();
         impacts[0].quiet_before_s = Some(envelope.quiet_before_s(train.start_s()));
         impacts[0].ln_alike = Some(train.ln_alike());
+        impacts[0].time_sd_s = sd_at_start_s(&impacts[0]).or(impacts[0].time_sd_s);
         Self {
             impacts,
             probability: train.probability(),
@@ -345,6 +342,19 @@ impl DropCandidate {
             _ => f64::INFINITY,
         }
     }
+}
+
+/// The uncertainty of the time of an impact with which the recording begins: some of its sound is missing, so that neither its
+/// beginning nor the silence before it was seen. `None` for any other impact.
+fn sd_at_start_s(impact: &Impact) -> Option<f64> {
+    /// Sound before an impact from which its beginning is found, s.
+    const NEEDED_S: f64 = 0.01;
+    /// How much of the sound before its largest part may be missing, s.
+    const MISSING_S: f64 = 0.001;
+    (impact.time_s < NEEDED_S).then(|| {
+        let latest_s = impact.time_s.max(MISSING_S);
+        impact.time_sd_s.map_or(latest_s, |sd_s| sd_s.max(latest_s))
+    })
 }
 
 fn strongest_band(detection: &Detection) -> Option<StrongestBand> {

@@ -28,7 +28,7 @@ pub struct Recording {
     pub drops: Vec<Drop>,
     /// Why there is none.
     pub no_drop: Option<Diagnostic>,
-    /// What may be a drop, where none is certain: the most likely first, a few at most.
+    /// What may be a drop, but is less likely one than other sounds: the most likely first, a few at most.
     pub candidates: Vec<DropCandidate>,
     /// Diagnostics of the recording as a whole.
     pub diagnostics: Vec<Diagnostic>,

@@ -40,7 +40,7 @@ mod watch;
 use crate::diagnostic::{Code, Diagnostic};
 use crate::onset;
 use crate::stats::median;
-use crate::train::{Train, TrainSearch};
+use crate::train::{MIN_UNUSED, Train, TrainSearch};
 use std::ops::Range;
 
 pub use envelope::Envelope;
@@ -128,6 +128,16 @@ impl Detection {
         diagnostics.extend(self.found.overlaps().map(|(start_s, end_s)| {
             let at_once = Diagnostic::new(Code::DropsAtOnce);
             at_once.with("start_s", start_s).with("end_s", end_s)
+        }));
+        let near = self
+            .found
+            .trains
+            .iter()
+            .filter(|train| train.unused >= MIN_UNUSED);
+        diagnostics.extend(near.map(|train| {
+            Diagnostic::new(Code::SoundsUnused)
+                .with("count", train.unused)
+                .with("start_s", train.start_s())
         }));
         if self.clipped_samples > 0 && !self.found.trains.is_empty() {
             let clipped = Diagnostic::new(Code::Clipped);

@@ -42,12 +42,12 @@ use crate::stats::{logistic, median, sort_by_number};
 pub(crate) use chain::work;
 pub(crate) use evidence::Span;
 use missing::{expected, ratio_near};
-pub(crate) use parameters::LN_MISSED;
 use parameters::{
     COMPARED_WITH_FIRST, GRAVITY_M_S2, MAX_CANDIDATES, MAX_ECHO_S, MAX_INTERVAL_S,
     MAX_JOINED_LN_RATIO, MAX_LAST_FLIGHTS, MAX_NOTICE_S, MAX_SHARED_S, MIN_CONCURRENT_IMPACTS,
     MIN_DISTANT_DB, MIN_SEARCHED_FLIGHT_S,
 };
+pub(crate) use parameters::{LN_MISSED, MIN_UNUSED};
 pub(crate) use search::{Excerpt, search};
 
 /// Minimum number of impacts of a train: three determine the ratio of the flights, two more confirm it against chance.
@@ -73,6 +73,8 @@ pub struct Train {
     impacts: Vec<TrainImpact>,
     evidence: f64,
     log_bayes_factor: f64,
+    /// Sounds near it that are nearly as loud as its loudest impact, and belong to no train.
+    pub(crate) unused: usize,
 }
 
 impl Train {
@@ -126,6 +128,12 @@ impl Train {
         let near = self.impacts[after.saturating_sub(1)..].iter().take(2);
         near.map(|impact| (impact.onset.time_s - time_s).abs())
             .fold(f64::INFINITY, f64::min)
+    }
+
+    /// The level of its loudest impact, in dB.
+    fn loudest_db(&self) -> f64 {
+        let levels_db = self.impacts.iter().map(|impact| impact.onset.level_db);
+        levels_db.fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// Whether an onset is one of its impacts.

@@ -18,6 +18,8 @@ pub(super) const MIN_EVIDENCE: f64 = 0.0;
 pub(super) const MIN_CANDIDATE_EVIDENCE: f64 = -4.6;
 /// Minimum number of impacts of such a train: two flights show whether they shrink.
 pub(super) const MIN_CANDIDATE_IMPACTS: usize = 3;
+/// Time after a train in which one that begins before the same ball could fall again is searched for, s.
+pub(super) const FOLLOWING_REACH_S: f64 = 5.0;
 /// Maximum number of such trains of a recording.
 pub(super) const MAX_CANDIDATES: usize = 3;
 /// Maximum size of the evidence at which the waveforms are compared, nats: they contribute no more than this.
@@ -58,6 +60,15 @@ pub(super) const MAX_NOTICE_S: f64 = 0.3;
 /// Minimum time between two drops, s: a fall from 60 cm. Sounds that come sooner are of the same ball, which comes to rest
 /// or is not yet released.
 pub(super) const MIN_FALL_S: f64 = 0.35;
+
+// Sounds that no train explains.
+
+/// Time before the first and after the last impact of a train in which they are counted, s.
+pub(super) const UNUSED_REACH_S: f64 = 1.0;
+/// Maximum difference of their level from that of the loudest impact, dB.
+pub(super) const UNUSED_BELOW_DB: f64 = 3.0;
+/// Number of them from which they are reported: one or two are a hand, a step or a click.
+pub(crate) const MIN_UNUSED: usize = 3;
 
 // Crowds of faint onsets.
 

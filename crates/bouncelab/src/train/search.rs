@@ -5,9 +5,9 @@ use super::chain::{self, Chain, Link};
 use super::evidence::{self, Span};
 use super::parameters::{
     AGREEING_IMPACTS, AGREEING_OTHERS, AGREEING_SOUNDS, COMPARED_MARGIN_S, COMPARED_REACH_S,
-    CONCURRENT_REACH_S, CROWD_REACH_S, ISOLATION_REACH_S, LN_CONCURRENT, LN_CONTINUES, LN_RHYTHM,
-    MAX_COMPARED, MAX_DOUBT, MAX_FAINT_ONSETS, MIN_CANDIDATE_EVIDENCE, MIN_CANDIDATE_IMPACTS,
-    MIN_EVIDENCE, MIN_FALL_S,
+    CONCURRENT_REACH_S, CROWD_REACH_S, FOLLOWING_REACH_S, ISOLATION_REACH_S, LN_CONCURRENT,
+    LN_CONTINUES, LN_RHYTHM, MAX_COMPARED, MAX_DOUBT, MAX_FAINT_ONSETS, MIN_CANDIDATE_EVIDENCE,
+    MIN_CANDIDATE_IMPACTS, MIN_EVIDENCE, MIN_FALL_S, UNUSED_BELOW_DB, UNUSED_REACH_S,
 };
 use super::rhythm::{self, Pulse};
 use super::{MIN_IMPACTS, Onset, PeriodicSequence, Train, TrainImpact, TrainSearch};
@@ -34,6 +34,9 @@ pub(crate) fn search(onsets: &[Onset], span: Span, read: Read, result: &mut Trai
     let mut new = result.trains.split_off(before);
     add_concurrent(&informative, span, read, &mut new);
     join(&mut new);
+    count_unused(&informative, &mut new);
+    let is_found = |candidate: &Train| new.iter().any(|train| train.is_same_drop(candidate));
+    result.candidates.retain(|candidate| !is_found(candidate));
     result.trains.append(&mut new);
 }
 
@@ -74,15 +77,20 @@ fn search_among(onsets: &[Onset], span: Span, read: Read, result: &mut TrainSear
         end_s: best.start_s() - MIN_FALL_S,
         ..span
     };
-    let after = Span {
-        start_s: best.end_s() + MIN_FALL_S,
-        ..span
-    };
     let end_before = onsets.partition_point(|o| o.time_s < before.end_s);
-    let first_after = onsets.partition_point(|o| o.time_s <= after.start_s);
     search_among(&onsets[..end_before], before, read, result);
+    let end_s = best.end_s();
     result.trains.push(best);
-    search_among(&onsets[first_after..], after, read, result);
+    let index_after = |time_s: f64| onsets.partition_point(|o| o.time_s <= time_s);
+    let later = |start_s: f64| Span { start_s, ..span };
+    // What follows before the ball could fall again is the same ball as it comes to rest, or another.
+    let next_s = end_s + MIN_FALL_S;
+    let follows = index_after(end_s) < index_after(next_s);
+    let soon = &onsets[index_after(end_s)..index_after(end_s + FOLLOWING_REACH_S)];
+    if follows {
+        result.add_candidates(candidate(soon, later(end_s), read));
+    }
+    search_among(&onsets[index_after(next_s)..], later(next_s), read, result);
 }
 
 /// The explanation of the best chain among some onsets.
@@ -118,9 +126,10 @@ fn best(onsets: &[Onset], span: Span, read: Read, ln_prior: f64) -> Option<Best>
     chain.extend(onsets, LN_CONTINUES);
     chain.end_at_rhythm(onsets);
     Some(Best::Drop(Train {
+        impacts: impacts(onsets, &chain),
         evidence,
         log_bayes_factor,
-        impacts: impacts(onsets, &chain),
+        unused: 0,
     }))
 }
 
@@ -141,9 +150,10 @@ fn candidate(onsets: &[Onset], span: Span, read: Read) -> Option<Train> {
     // More evidence than of chance has only a chain that is too short for a drop.
     let evidence = over_both(chain.evidence, over_rhythm).min(MIN_EVIDENCE);
     (evidence > MIN_CANDIDATE_EVIDENCE).then(|| Train {
+        impacts: impacts(onsets, &chain),
         evidence,
         log_bayes_factor: chain.evidence,
-        impacts: impacts(onsets, &chain),
+        unused: 0,
     })
 }
 
@@ -191,6 +201,18 @@ fn join(trains: &mut Vec<Train>) {
         } else {
             index += 1;
         }
+    }
+}
+
+/// Counts the sounds near each train that are nearly as loud as its loudest impact, and belong to no train.
+fn count_unused(onsets: &[Onset], trains: &mut [Train]) {
+    let is_used = |onset: &Onset| trains.iter().any(|train| train.has(onset));
+    let unused: Vec<&Onset> = onsets.iter().filter(|onset| !is_used(onset)).collect();
+    for train in trains {
+        let near_s = train.start_s() - UNUSED_REACH_S..train.end_s() + UNUSED_REACH_S;
+        let min_db = train.loudest_db() - UNUSED_BELOW_DB;
+        let is_loud = |o: &&&Onset| near_s.contains(&o.time_s) && o.level_db > min_db;
+        train.unused = unused.iter().filter(is_loud).count();
     }
 }
 
