@@ -160,9 +160,8 @@ class Job:
 
     def __init__(self, engine: Spark | Ray, source: Path, output: Path, **options: object) -> None:
         self.output = output
-        self.checkpoint = output.with_suffix(".checkpoint")
         request = {"engine": type(engine).__name__, "url": engine.url, "source": str(source)}
-        request |= {"output": str(output), "checkpoint": str(self.checkpoint), **options}
+        request |= {"output": str(output), **options}
         self.log = output.with_suffix(".log")
         with self.log.open("ab") as log:
             command = [sys.executable, HERE / "job.py", json.dumps(request)]

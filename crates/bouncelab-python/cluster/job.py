@@ -14,6 +14,10 @@ if TYPE_CHECKING:
     from pyspark.sql import SparkSession
 
 
+#: A server of Spark Connect on this machine, which the driver starts.
+CONNECT = "connect"
+
+
 def main() -> None:
     request = json.loads(sys.argv[1])
     if request.pop("faulty", True):
@@ -42,6 +46,8 @@ def spark_session(url: str) -> SparkSession:
         "spark.ui.enabled": "false",
         "spark.ui.showConsoleProgress": "false",
     }
+    if url == CONNECT:
+        return SparkSession.builder.remote("local[2,4]").getOrCreate()
     return SparkSession.builder.master(url).config(map=settings).getOrCreate()
 
 

@@ -5,7 +5,7 @@ spark COUNT [WORKERS]    COUNT recordings on Spark: rows against `session`, file
 ray COUNT [WORKERS]      the same on Ray
 kernel COUNT             the kernel alone, in one process: files a second, memory
 study COUNT              a study of COUNT simulated drops: time and memory
-listing COUNT            COUNT files without content planned by Spark, one trigger: memory of the driver
+listing COUNT            COUNT files without content planned by Spark, one write: memory of the driver
 manifest COUNT           COUNT paths planned by Ray, until the first rows are written: memory of the driver
 """
 
@@ -143,13 +143,11 @@ def _analyze(started: Spark | Ray) -> Callable[[Path, Path], None]:
         from bouncelab import ray
 
         engine_of_ray.init(address=started.url, log_to_driver=False)
-        return lambda source, output: ray.analyze(listed(source), output, output.with_suffix(".checkpoint"), SETTINGS)
+        return lambda source, output: ray.analyze(listed(source), output, SETTINGS)
     from bouncelab import spark
 
     session = spark_session(started.url)
-    return lambda source, output: print(
-        spark.analyze(session, source, output, output.with_suffix(".checkpoint"), SETTINGS), "analysed"
-    )
+    return lambda source, output: print(spark.analyze(session, source, output, SETTINGS), "analysed")
 
 
 def _session(source: Path) -> Path:
@@ -214,7 +212,7 @@ def simulate(folder: Path, count: int) -> None:
         for point in (point for drop in moved["drops"] for point in drop["posterior"]["curve"]):
             point["value"] += off
         records.append(json.dumps(moved, separators=(",", ":")))
-    same = ["settings_sha256", "metadata", "failure"]
+    same = ["kernel_sha256", "settings_sha256", "metadata", "failure"]
     schema = pyarrow.schema(rows.schema.field(name) for name in ["recording", "content_sha256", "record", *same])
     folder.mkdir(parents=True)
     with parquet.ParquetWriter(folder / "rows.parquet", schema) as writer:
@@ -231,14 +229,14 @@ def simulate(folder: Path, count: int) -> None:
 
 
 def listing(count: int) -> None:
-    """The files hold nothing, and the kernel is not asked: only what the driver does is measured."""
+    """The files hold nothing, so almost only what the driver does is measured."""
     source = TEMPORARY / f"listing-{count}"
     for number in range(count):
         path = source / f"{number // 1000:04}" / f"{number:07}.wav"
         if number % 1000 == 0:
             path.parent.mkdir(parents=True, exist_ok=True)
         path.touch()
-    _plan(Spark, source, lambda job: (job.checkpoint / "commits" / "0").exists(), "the first trigger of 10,000")
+    _plan(Spark, source, lambda job: any(job.output.glob("*/_SUCCESS")), "the first rows of 10,000 recordings")
 
 
 def manifest(count: int) -> None:

@@ -9,7 +9,7 @@ import pytest
 from clusters import Job, Ray, Spark, cluster
 from laboratory import listed, names, work
 
-#: So many recordings of a trigger, or of a block of each worker, may be analysed again.
+#: So many recordings of a write, or of a block of each worker, may be analysed again.
 AGAIN = {Spark: 50, Ray: 2 * 50}
 
 #: So many recordings were analysed since the driver was started, when the driver or a worker is killed.
@@ -25,12 +25,12 @@ def engine(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
 
 
 class Work:
-    """A job of three hundred recordings, in triggers or blocks of fifty."""
+    """A job of three hundred recordings, in writes or blocks of fifty."""
 
     def __init__(self, engine: Spark | Ray, source: Path, folder: Path) -> None:
         self.engine, self.source, self.output = engine, source, folder / "results.parquet"
         self.given = source if isinstance(engine, Spark) else listed(source)
-        self.counts = {"files_per_trigger": 50, "files_per_task": 10} if isinstance(engine, Spark) else {}
+        self.counts = {"files_at_once": 50, "files_per_task": 10} if isinstance(engine, Spark) else {}
         self.before = len(work(engine.folder))
 
     def start(self) -> Job:

@@ -31,7 +31,7 @@ def ray(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Ray]:
 
 def test_rows_are_those_of_a_session(ray: Ray, recordings: Path, session: Path, tmp_path: Path) -> None:
     output = tmp_path / "results.parquet"
-    analyze(listed(recordings), output, tmp_path / "checkpoint", SETTINGS)
+    analyze(listed(recordings), output, SETTINGS)
     cells, different = differences(session, output, tmp_path / "tables")
     count = len(names(output))
     print(f"Ray: {count} recordings, {cells} cells, {different} differ")
@@ -42,7 +42,7 @@ def test_rows_depend_on_no_partitioning(ray: Ray, few: Path, tmp_path: Path) -> 
     expected = alone(few)
     for count in (50, 7, 300):
         output = tmp_path / f"{count}.parquet"
-        analyze(listed(few), output, tmp_path / f"{count}.checkpoint", SETTINGS, rows_per_block=count)
+        analyze(listed(few), output, SETTINGS, rows_per_block=count)
         assert rows(output) == expected
 
 
@@ -50,7 +50,7 @@ def test_what_fails_becomes_a_row(ray: Ray, few: Path, tmp_path: Path, monkeypat
     monkeypatch.setattr(batch, "kernel", faulty)
     source, broken = with_faults(few, tmp_path / "recordings")
     output = tmp_path / "results.parquet"
-    analyze(listed(source), output, tmp_path / "checkpoint", {**QUICK, "time_limit_s": 20.0})
+    analyze(listed(source), output, {**QUICK, "time_limit_s": 20.0})
     expected = dict.fromkeys(broken, "not-analysed")
     assert failures(output) == expected | {"abort.wav": "process-died", "endless.wav": "out-of-time"}
     assert len(names(output)) == 302
@@ -61,9 +61,11 @@ def test_nothing_new_is_nothing_done(ray: Ray, few: Path, tmp_path: Path, monkey
     output, source, counts = tmp_path / "results.parquet", listed(few), []
     for _ in range(2):
         before = len(work(ray.folder))
-        said = analyze(source, output, tmp_path / "checkpoint", QUICK)
+        said = analyze(source, output, QUICK)
         counts.append((said, len(work(ray.folder)) - before))
     assert counts == [(300, 300), (0, 0)] and len(names(output)) == 300
+    with pytest.raises(InputError, match="rows of other settings"):
+        analyze(source, output, {**QUICK, "ball": "tennis"})
 
 
 def test_progress_is_told(ray: Ray, few: Path, tmp_path: Path) -> None:
@@ -79,7 +81,7 @@ def test_progress_is_told(ray: Ray, few: Path, tmp_path: Path) -> None:
         def close(self) -> None:
             told.append(0.0)
 
-    analyze(listed(few), tmp_path / "rows", tmp_path / "checkpoint", QUICK, rows_per_block=130, progress=Bar)
+    analyze(listed(few), tmp_path / "rows", QUICK, rows_per_block=130, progress=Bar)
     assert told[0] == 300 and sorted(told[1:-1]) == [40, 130, 130] and told[-1] == 0
 
 
@@ -97,5 +99,5 @@ def test_a_manifest_that_makes_no_sense_is_refused(
     path = tmp_path / "manifest.parquet"
     parquet.write_table(pyarrow.table(columns), path)
     with pytest.raises(InputError, match=reason):
-        analyze(path, tmp_path / "rows", tmp_path / "checkpoint")
+        analyze(path, tmp_path / "rows")
     assert not (tmp_path / "rows").exists()

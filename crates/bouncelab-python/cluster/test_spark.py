@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
+import json
 import shutil
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+import pyspark
 import pytest
-from clusters import Spark, cluster
+from clusters import HERE, Spark, cluster
 from faults import faulty
-from job import spark_session
+from job import CONNECT, spark_session
 from laboratory import RECORDINGS, SETTINGS, alone, differences, failures, names, rows, with_faults, work
-from pyspark.sql import SparkSession
+from pyspark.sql import SparkSession, functions
 
-from bouncelab import batch
+from bouncelab import InputError, batch
 from bouncelab.spark import analyze, study
 
 #: For what is not about numbers.
 QUICK: batch.KernelOptions = {"draws": None}
-
-#: All in one trigger, of no more tasks than it needs.
-ONCE = 400
 
 
 @pytest.fixture(scope="module")
@@ -44,7 +45,7 @@ def test_rows_are_those_of_a_session(
     session_of_spark: SparkSession, recordings: Path, session: Path, tmp_path: Path
 ) -> None:
     output = tmp_path / "results.parquet"
-    count = analyze(session_of_spark, recordings, output, tmp_path / "checkpoint", SETTINGS, files_per_trigger=RECORDINGS)
+    count = analyze(session_of_spark, recordings, output, SETTINGS, files_at_once=RECORDINGS)
     cells, different = differences(session, output, tmp_path / "tables")
     print(f"Spark: {count} recordings, {cells} cells, {different} differ")
     assert (count, different) == (len(list(recordings.iterdir())), 0)
@@ -53,23 +54,32 @@ def test_rows_are_those_of_a_session(
 
 def test_rows_depend_on_no_partitioning(session_of_spark: SparkSession, few: Path, tmp_path: Path) -> None:
     found = []
-    for trigger, task in [(1000, 1000), (110, 7), (40, 13)]:
-        output, checkpoint = tmp_path / f"{trigger}.parquet", tmp_path / f"{trigger}.checkpoint"
-        counts = {"files_per_trigger": trigger, "files_per_task": task}
-        analyze(session_of_spark, few, output, checkpoint, SETTINGS, **counts)  # type: ignore[arg-type]
+    for at_once, per_task in [(1000, 1000), (110, 7), (40, 13)]:
+        output = tmp_path / f"{at_once}.parquet"
+        analyze(session_of_spark, few, output, SETTINGS, files_at_once=at_once, files_per_task=per_task)
         found.append(rows(output))
     assert found[0] == found[1] == found[2] == alone(few)
 
 
 def test_contents_and_notes_go_along(session_of_spark: SparkSession, few: Path, tmp_path: Path) -> None:
-    """As from an object store: the workers get contents, not paths."""
+    """Contents that Spark has read, as from an object store, give the rows of paths."""
     operators = [(path.name, "Ada" if number % 2 else "Bob") for number, path in enumerate(sorted(few.iterdir()))]
-    notes = session_of_spark.createDataFrame(operators, ["recording", "operator"])
+    notes = session_of_spark.createDataFrame(operators, "recording string, operator string")
     by_path, by_content = tmp_path / "path.parquet", tmp_path / "content.parquet"
-    analyze(session_of_spark, few, by_path, tmp_path / "1", SETTINGS, notes=notes, files_per_trigger=ONCE)
-    counts = {"with_content": True, "files_per_trigger": ONCE}
-    analyze(session_of_spark, few, by_content, tmp_path / "2", SETTINGS, notes=notes, **counts)  # type: ignore[arg-type]
+    analyze(session_of_spark, few, by_path, SETTINGS, notes=notes)
+    session_of_spark.conf.set("spark.sql.execution.arrow.maxRecordsPerBatch", 10)
+    read = session_of_spark.read.format("binaryFile").load(str(few)).select("path", "content")
+    named = read.withColumn("recording", functions.substring_index("path", "/", -1))
+    batch.analyze_frame(named.join(notes, "recording"), SETTINGS).write.parquet(f"{by_content}/rows")
     assert rows(by_content) == rows(by_path)
+
+
+@pytest.mark.skipif(tuple(map(int, pyspark.__version__.split(".")[:2])) < (4, 1), reason="it takes Spark 4.1")
+def test_means_of_groups_are_those_of_a_study(session_of_spark: SparkSession, few: Path, tmp_path: Path) -> None:
+    operators = [(path.name, "Ada" if number % 2 else "Bob") for number, path in enumerate(sorted(few.iterdir()))]
+    notes = session_of_spark.createDataFrame(operators, "recording string, operator string")
+    by_path = tmp_path / "path.parquet"
+    analyze(session_of_spark, few, by_path, SETTINGS, notes=notes)
     fields = ["surface", "operator"]
     means = study(session_of_spark.read.parquet(f"{by_path}/*"), fields, compare_at_m_s=1.5).collect()
     groups = batch.study(by_path, by=fields, compare_at_m_s=1.5)["study"]["groups"]  # type: ignore[index,call-overload]
@@ -81,6 +91,18 @@ def test_contents_and_notes_go_along(session_of_spark: SparkSession, few: Path, 
         assert row["restitution_sd"] == pytest.approx(restitution["sd"], rel=0.05)
 
 
+@pytest.mark.skipif(pyspark.__version__ < "4", reason="the package of Spark 3.5 has no server of Connect")
+def test_rows_over_connect_are_the_same(spark: Spark, few: Path, tmp_path: Path) -> None:
+    output = tmp_path / "results.parquet"
+    request = {"engine": "Spark", "url": CONNECT, "source": str(few), "output": str(output), "settings": SETTINGS}
+    command = [sys.executable, HERE / "job.py", json.dumps(request)]
+    for said in ("300", "0"):
+        done = subprocess.run(command, env=spark.environment, capture_output=True, text=True, check=False)
+        assert done.returncode == 0, done.stderr[-4000:]
+        assert done.stdout.split()[-1] == said
+    assert rows(output) == alone(few)
+
+
 def test_what_fails_becomes_a_row(
     spark: Spark, session_of_spark: SparkSession, few: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -89,15 +111,14 @@ def test_what_fails_becomes_a_row(
     source, broken = with_faults(few, tmp_path / "recordings")
     output = tmp_path / "limited.parquet"
     limited: batch.KernelOptions = {**QUICK, "time_limit_s": 20.0}
-    analyze(session_of_spark, source, output, tmp_path / "1", limited, files_per_trigger=ONCE)
+    analyze(session_of_spark, source, output, limited)
     expected = dict.fromkeys(broken, "not-analysed") | {"abort.wav": "process-died"}
     assert failures(output) == expected | {"endless.wav": "out-of-time"}
-    assert len(names(output)) == 302
+    assert len(names(output)) == len(list(source.iterdir()))
     (source / "endless.wav").unlink()
     retried = tmp_path / "retried.parquet"
-    analyze(session_of_spark, source, retried, tmp_path / "2", QUICK, files_per_trigger=ONCE)
+    analyze(session_of_spark, source, retried, QUICK)
     assert failures(retried) == expected
-    assert len(names(retried)) == 301
 
 
 def test_nothing_new_is_nothing_done(
@@ -111,6 +132,8 @@ def test_nothing_new_is_nothing_done(
         if new is not None:
             shutil.copy(next(few.iterdir()), source / new)
         before = len(work(spark.folder))
-        analyze(session_of_spark, source, output, tmp_path / "checkpoint", QUICK, files_per_trigger=ONCE)
-        counts.append(len(work(spark.folder)) - before)
-    assert counts == [20, 0, 1] and len(names(output)) == 21
+        said = analyze(session_of_spark, source, output, QUICK)
+        counts.append((said, len(work(spark.folder)) - before))
+    assert counts == [(20, 20), (0, 0), (1, 1)] and len(names(output)) == 21
+    with pytest.raises(InputError, match="rows of other settings"):
+        analyze(session_of_spark, source, output, {**QUICK, "ball": "tennis"})

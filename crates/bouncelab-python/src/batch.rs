@@ -59,6 +59,11 @@ impl Kernel {
         Ok(Self(OneByOne::new(settings, options)?))
     }
 
+    /// Hash of what holds for all recordings: the column `kernel_sha256` of the rows.
+    fn sha256(&self) -> String {
+        self.0.hash().to_string()
+    }
+
     /// Analyses a recording; gives its row as JSON.
     fn row(&self, py: Python<'_>, recording: Recording) -> Result<Vec<u8>> {
         let given = given(recording);
@@ -101,6 +106,7 @@ pub(crate) fn batch_of_rows(rows: Vec<PyBackedBytes>) -> Result<Arrow> {
     let json = |value: std::result::Result<String, _>| value.ok();
     let columns: Vec<(&str, ArrayRef)> = vec![
         ("recording", texts(&|row| Some(row.recording.clone()))),
+        ("kernel_sha256", texts(&|row| Some(row.kernel.to_string()))),
         (
             "content_sha256",
             texts(&|row| Some(row.content?.to_string())),

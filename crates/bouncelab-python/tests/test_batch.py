@@ -12,6 +12,7 @@ import pytest
 
 pyarrow = pytest.importorskip("pyarrow")
 
+import pyarrow.compute  # noqa: E402
 from pyarrow import parquet  # noqa: E402
 
 import bouncelab as bl  # noqa: E402
@@ -220,9 +221,24 @@ def test_recordings_are_read_from_an_object_store(
 
 
 def test_results_of_different_settings_are_not_mixed(folder: Path, results: Path, tmp_path: Path) -> None:
-    other = rows(recordings(folder)[:1], batch.kernel({"draws": None}, root=folder))
-    parquet.write_table(other, tmp_path / "other.parquet")
-    parquet.write_table(parquet.read_table(results), tmp_path / "results.parquet")
+    """Not even of different recordings."""
+    found = parquet.read_table(results)
+    parquet.write_table(found.filter(pyarrow.compute.not_equal(found["recording"], "steel_30cm_1.wav")), tmp_path / "1.parquet")
+    table = recordings(folder)
+    one = table.filter(pyarrow.compute.ends_with(table["path"], "steel_30cm_1.wav"))
+    for settings in (SETTINGS, {**SETTINGS, "draws": None}, {**SETTINGS, "pattern": None}):
+        parquet.write_table(rows(one, batch.kernel(settings, root=folder)), tmp_path / "2.parquet")  # type: ignore[arg-type]
+        if settings is SETTINGS:
+            assert batch.study(tmp_path) == batch.study(results)
+        else:
+            with pytest.raises(bl.SessionError, match="other settings, or of another version"):
+                batch.study(tmp_path)
+
+
+def test_a_recording_has_one_result(folder: Path, results: Path, tmp_path: Path) -> None:
+    found = parquet.read_table(results)
+    changed = found[:1].set_column(found.column_names.index("content_sha256"), "content_sha256", [["0" * 64]])
+    parquet.write_table(pyarrow.concat_tables([found, changed]), tmp_path / "rows.parquet")
     with pytest.raises(bl.SessionError, match="two results of"):
         batch.study(tmp_path)
 

@@ -1,8 +1,8 @@
 """Recordings by the million: one kernel for every engine.
 
 A :class:`Kernel` takes batches of recordings and gives batches of rows, one for each recording. An engine such as
-Spark (:mod:`bouncelab.spark`) or Ray (:mod:`bouncelab.ray`) spreads them over a cluster and writes them as Parquet;
-:func:`explode` and :func:`study` read that. It takes pyarrow.
+Spark (:func:`analyze_frame`, :mod:`bouncelab.spark`) or Ray (:mod:`bouncelab.ray`) spreads them over a cluster and writes
+them as Parquet; :func:`explode` and :func:`study` read that. It takes pyarrow.
 """
 
 from __future__ import annotations
@@ -27,10 +27,11 @@ from bouncelab._settings import OF_ONE_RECORDING, Options, flag, number, setting
 if TYPE_CHECKING:
     import pandas
     import pyarrow
+    from pyspark.sql import DataFrame
 
     from bouncelab._data import JSON
 
-__all__ = ["MEAN", "Kernel", "KernelOptions", "explode", "kernel", "manifest", "mean", "study"]
+__all__ = ["MEAN", "Kernel", "KernelOptions", "analyze_frame", "explode", "kernel", "manifest", "mean", "study"]
 
 #: Number of rows in a batch: a megabyte or two.
 ROWS_AT_ONCE = 50
@@ -81,6 +82,31 @@ class Kernel:
         """
         settings, options, root, limit_s, _ = self._arguments
         return type(self)(settings, options, root, limit_s, True)
+
+    @property
+    def sha256(self) -> str:
+        """Hash of settings, options and version: the column ``kernel_sha256`` of all its rows."""
+        return self._core.sha256()
+
+    def refuse_rows_of_others(self, hashes: Iterable[str | None], output: str) -> None:
+        """Refuse an output whose rows have other hashes than this kernel.
+
+        Parameters
+        ----------
+        hashes : iterable of str or None
+            The column ``kernel_sha256``.
+        output : str
+            Where it was read.
+
+        Raises
+        ------
+        InputError
+            If there is another one.
+        """
+        if set(hashes) - {self.sha256}:
+            raise InputError(
+                f"{output} has rows of other settings, or of another version of bouncelab; give another output"
+            )
 
     @property
     def schema(self) -> pyarrow.Schema:
@@ -206,6 +232,54 @@ def kernel(settings: KernelOptions | None = None, *, root: str | PathLike[str] =
     return Kernel(stated, json.dumps(options), plain(fspath(root)), longest, isolated)
 
 
+class _Task:
+    """A kernel as a task of Spark, which analyses in child processes where it is tried again."""
+
+    def __init__(self, kernel: Kernel) -> None:
+        self._kernel = kernel
+
+    def __call__(self, batches: Iterator[pyarrow.RecordBatch]) -> Iterator[pyarrow.RecordBatch]:
+        context = imported("pyspark", "spark").TaskContext.get()
+        is_retry = context is not None and context.attemptNumber() > 0
+        return (self._kernel.isolated() if is_retry else self._kernel)(batches)
+
+
+def analyze_frame(
+    recordings: DataFrame, settings: KernelOptions | None = None, *, root: str | PathLike[str] = ""
+) -> DataFrame:
+    """Analyse the recordings of a data frame of Spark, 3.5 or later, also over Spark Connect.
+
+    Parameters
+    ----------
+    recordings : pyspark.sql.DataFrame
+        A column ``path``, which all workers see, or a URL that fsspec opens; perhaps ``content``, the bytes of the file,
+        such as the format ``binaryFile`` of Spark has, and ``recording``, the name. All other columns are notes, such as
+        texts and quantities with their unit.
+    settings : KernelOptions, optional
+        As of :func:`kernel`.
+    root : path
+        Folder of the recordings: where there is no column ``recording``, names are relative to it.
+
+    Returns
+    -------
+    pyspark.sql.DataFrame
+        A row for each recording, not yet computed: write it where you like, as Parquet, Delta, Iceberg or into a catalog.
+
+    Raises
+    ------
+    InputError, OutOfRangeError, UnknownNameError, PhysicsError, SessionError
+        If a setting makes no sense.
+
+    Notes
+    -----
+    Where contents travel, let a batch have few: ``spark.sql.execution.arrow.maxRecordsPerBatch`` of 10. A task that is
+    tried again analyses in child processes, so that a recording that ends its process becomes a row.
+    """
+    types = imported("pyspark.sql.pandas.types", "spark")
+    analyzes = kernel(settings, root=root)
+    return recordings.mapInArrow(_Task(analyzes), types.from_arrow_schema(analyzes.schema))
+
+
 def manifest(
     source: str | PathLike[str],
     path: str | PathLike[str],
@@ -233,8 +307,7 @@ def manifest(
         How many recordings there are.
     """
     pyarrow, parquet = imported("pyarrow", "pyarrow"), imported("pyarrow.parquet", "pyarrow")
-    root = fspath(source)
-    recordings = _in_store(root) if is_url(root) else {name: os.path.join(root, name) for name in _found(root, "")}
+    recordings = recordings_in(fspath(source))
     names = sorted(recordings)
     known = notes or {}
     fields = sorted({field for noted in known.values() for field in noted})
@@ -394,6 +467,15 @@ def _recordings(batch: pyarrow.RecordBatch, root: str) -> Iterator[Given]:
 def plain(path: str) -> str:
     """Return a path of this machine without ``file:``; any other as it is."""
     return re.sub("^file:/+", "/", path)
+
+
+def recordings_in(source: str) -> dict[str, str]:
+    """Return the paths or URLs of the recordings in a folder, by names relative to it."""
+    root = plain(source)
+    if is_url(root):
+        return _in_store(root)
+    # Another node may work in another folder.
+    return {name: os.path.join(os.path.abspath(root), name) for name in _found(root, "")}
 
 
 def _in_store(root: str) -> dict[str, str]:

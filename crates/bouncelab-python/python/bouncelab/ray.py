@@ -38,13 +38,12 @@ BLOCKS_AHEAD = 2
 def analyze(
     manifest: str | PathLike[str],
     output: str | PathLike[str],
-    checkpoint: str | PathLike[str],
     settings: KernelOptions | None = None,
     *,
     rows_per_block: int = 50,
     progress: Progress | None = None,
 ) -> int:
-    """Analyse the recordings of a manifest that were not analysed yet; return how many.
+    """Analyse the recordings of a manifest that have no row yet; return how many.
 
     It takes the cluster of ``ray.init()``. A recording that ends its process becomes a row that says so, for each is
     analysed in a child process.
@@ -55,10 +54,7 @@ def analyze(
         Parquet with a column ``path``, a column ``recording`` of unique names, and notes of text: what
         :func:`bouncelab.batch.manifest` writes.
     output : path
-        Folder for the rows as Parquet, a file for each block. It and the checkpoint belong to one manifest and one
-        kernel: other settings or another version of bouncelab need others.
-    checkpoint : path
-        Folder for the names of what was done.
+        Folder for the rows as Parquet, a file for each block. It belongs to one manifest and one kernel.
     settings : KernelOptions, optional
         As of :func:`bouncelab.batch.kernel`.
     rows_per_block : int
@@ -69,17 +65,18 @@ def analyze(
     Raises
     ------
     InputError
-        If the manifest lacks a column or has a name twice; and what :func:`bouncelab.batch.kernel` raises.
+        If the manifest lacks a column or has a name twice, or the output has rows of other settings or of another version;
+        and what :func:`bouncelab.batch.kernel` raises.
     """
     rows_at_once = max(count("rows_per_block", rows_per_block), 1)
     report = None if progress is None else Bars(progress)
     kernel = batch.kernel(settings, isolated=True)
     listed = _listed(manifest)
-    rows, done = _Folder(output), _Folder(checkpoint)
-    left = listed.filter(compute.invert(compute.is_in(listed["recording"], done.recordings())))
+    rows = _Folder(output)
+    left = listed.filter(compute.invert(compute.is_in(listed["recording"], rows.recordings(kernel))))
     # Where a worker or its node ends, another takes the block.
     analyze_block = ray.remote(max_retries=-1)(_analyze_block)
-    tasks = (analyze_block.remote(kernel, block, rows, done) for block in _blocks(left, rows_at_once))
+    tasks = (analyze_block.remote(kernel, block, rows) for block in _blocks(left, rows_at_once))
     with nullcontext() if report is None else closing(report):
         for analyzed in accumulate(_results(tasks)):
             if report is not None:
@@ -100,10 +97,12 @@ class _Folder:
         parquet.write_table(table, unfinished, filesystem=self._files)
         self._files.move(unfinished, f"{self._path}/{name}.parquet")
 
-    def recordings(self) -> pyarrow.ChunkedArray:
-        """The names of the recordings in all files."""
-        schema = pyarrow.schema({"recording": pyarrow.string()})
-        return parquet.read_table(self._path, schema=schema, filesystem=self._files)["recording"]
+    def recordings(self, kernel: Kernel) -> pyarrow.ChunkedArray:
+        """The names of the recordings in all files, whose rows must be of this kernel."""
+        schema = pyarrow.schema(dict.fromkeys(("recording", "kernel_sha256"), pyarrow.string()))
+        rows = parquet.read_table(self._path, schema=schema, filesystem=self._files)
+        kernel.refuse_rows_of_others(rows["kernel_sha256"].unique().to_pylist(), self._path)
+        return rows["recording"]
 
 
 def _reached(place: str | PathLike[str]) -> tuple[FileSystem, str]:
@@ -133,13 +132,11 @@ def _blocks(recordings: pyarrow.Table, rows: int) -> Iterator[pyarrow.Table]:
         yield block.take([*range(block.num_rows)])
 
 
-def _analyze_block(kernel: Kernel, recordings: pyarrow.Table, rows: _Folder, done: _Folder) -> int:
-    """Analyse recordings; write their rows, then their names."""
-    names = recordings.select(["recording"])
-    # Whoever writes a block again writes the same files.
-    name = sha256("\0".join(names["recording"].to_pylist()).encode()).hexdigest()[:32]
+def _analyze_block(kernel: Kernel, recordings: pyarrow.Table, rows: _Folder) -> int:
+    """Analyse recordings, and write their rows."""
+    # Whoever writes a block again writes the same file.
+    name = sha256("\0".join(recordings["recording"].to_pylist()).encode()).hexdigest()[:32]
     rows.write(name, pyarrow.Table.from_batches(kernel(recordings.to_batches()), kernel.schema))
-    done.write(name, names)
     return recordings.num_rows
 
 

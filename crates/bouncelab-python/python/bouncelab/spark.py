@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
+import uuid
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
 from os import fspath
 from typing import TYPE_CHECKING
 
@@ -14,12 +14,12 @@ imported("pyarrow", "spark")
 imported("pyspark", "spark")
 
 import pyarrow
-from pyspark import TaskContext
+from pyspark.errors import AnalysisException
 from pyspark.sql import functions
-from pyspark.sql.pandas.types import from_arrow_schema, to_arrow_schema
-from pyspark.sql.types import StructType
+from pyspark.sql.pandas.types import from_arrow_schema
 
-from bouncelab import _core, batch
+from bouncelab import batch
+from bouncelab._settings import count
 
 if TYPE_CHECKING:
     from os import PathLike
@@ -31,101 +31,71 @@ def analyze(
     spark: SparkSession,
     source: str | PathLike[str],
     output: str | PathLike[str],
-    checkpoint: str | PathLike[str],
     settings: batch.KernelOptions | None = None,
     *,
     notes: DataFrame | None = None,
-    with_content: bool | None = None,
-    files_per_trigger: int = 10_000,
+    files_at_once: int = 10_000,
     files_per_task: int = 200,
 ) -> int:
-    """Analyse the recordings of a folder that were not analysed yet, each exactly once; return how many.
+    """Analyse the recordings of a folder that have no row yet, each exactly once; return how many.
 
-    A recording that ends its process becomes a row: a task that is tried again analyses in child processes.
+    It lists them, and writes what :func:`bouncelab.batch.analyze_frame` makes of them. A recording that ends its process
+    becomes a row: a task that is tried again analyses in child processes.
 
     Parameters
     ----------
     spark : SparkSession
-        The cluster. It must try tasks again (``local[2,4]``, not ``local[2]``).
+        The cluster, perhaps over Spark Connect. It must try tasks again (``local[2,4]``, not ``local[2]``).
     source : path
-        Folder of recordings, of any kind that Spark reads. New files may be added, old ones not be changed.
+        Folder of recordings, which this process and all workers see, or a URL that fsspec opens. New files may be
+        added, old ones not be changed.
     output : path
-        Folder for the rows as Parquet, with a folder for each trigger. It and the checkpoint belong to one
-        source and one kernel: other settings, or another version of bouncelab, need others.
-    checkpoint : path
-        Folder in which Spark keeps what was done.
+        Folder for the rows as Parquet, with a folder for each write, wherever Spark writes. It belongs to one source and
+        one kernel.
     settings : KernelOptions, optional
         As of :func:`bouncelab.batch.kernel`.
     notes : DataFrame, optional
         What was noted: a column ``recording``, the path relative to the source, and others of text.
-    with_content : bool, optional
-        Whether Spark reads the files, as from an object store, or the kernel, under a path that all workers
-        see; unless stated, Spark does where the source is no such path.
-    files_per_trigger, files_per_task : int
+    files_at_once, files_per_task : int
         At most this number of recordings is analysed again after a driver, or the process of a task, was killed.
+
+    Raises
+    ------
+    InputError
+        If the output has rows of other settings or of another version; and what :func:`bouncelab.batch.kernel` raises.
     """
-    root = fspath(source)
-    kernel = batch.kernel(settings, root=root)
-    globs = sorted({form for ending in _core.endings() for form in (ending, ending.upper())})
-    files = spark.readStream.format("binaryFile").option("maxFilesPerTrigger", files_per_trigger)
-    files = files.schema("path string, modificationTime timestamp, length long, content binary")
-    files = files.option("recursiveFileLookup", True).option("pathGlobFilter", f"*.{{{','.join(globs)}}}")
-    # Without the content the plan does not read it.
-    reads = not root.startswith(("/", "file:")) if with_content is None else with_content
-    given = files.load(root).select("path", *["content"] * reads)
-    if notes is not None:
-        start = len(batch.plain(root).rstrip("/")) + 2
-        plain = functions.regexp_replace("path", "^file:/+", "/")
-        given = given.withColumn("recording", plain.substr(start, 1 << 20)).join(notes, "recording", "left")
-        given = given.repartition(-(-files_per_trigger // files_per_task))  # a join leaves as many as it likes
-    rows = given.mapInArrow(_Task(kernel), from_arrow_schema(kernel.schema))
-
-    def write(rows: DataFrame, trigger: int) -> None:
-        # A trigger that is repeated replaces what it wrote.
-        rows.write.mode("overwrite").parquet(f"{fspath(output)}/{trigger:06}")
-
-    query = rows.writeStream.foreachBatch(write).option("checkpointLocation", fspath(checkpoint))
-    with _configured(spark, files_per_task):
-        running = query.trigger(availableNow=True).start()
-        running.awaitTermination()
-    return sum(progress.numInputRows for progress in running.recentProgress)
+    at_once, per_task = (
+        max(count(name, number), 1)
+        for name, number in (("files_at_once", files_at_once), ("files_per_task", files_per_task))
+    )
+    done = _done(spark, batch.kernel(settings), fspath(output))
+    left = sorted(given for given in batch.recordings_in(fspath(source)).items() if given[0] not in done)
+    for start in range(0, len(left), at_once):
+        part = left[start : start + at_once]
+        given = spark.createDataFrame(part, "recording string, path string")
+        if notes is not None:
+            given = given.join(notes, "recording", "left")
+        given = given.repartition(-(-len(part) // per_task))
+        # What a killed driver left in its folder must not be committed by another.
+        batch.analyze_frame(given, settings).write.parquet(f"{fspath(output)}/{uuid.uuid4().hex}")
+    return len(left)
 
 
-@contextmanager
-def _configured(spark: SparkSession, files_per_task: int) -> Iterator[None]:
-    """Say how a stream lists files, divides them (long ones count for several), takes contents and counts triggers."""
-    file_bytes = 1 << 26  # added to the length of each: a minute of sound, and what each costs anyway
-    options = {
-        "sources.parallelPartitionDiscovery.parallelism": spark.sparkContext.defaultParallelism,
-        "files.openCostInBytes": file_bytes,
-        "files.maxPartitionBytes": file_bytes * files_per_task,
-        "execution.arrow.maxRecordsPerBatch": 10,
-        "streaming.numRecentProgressUpdates": 1 << 20,
-    }
-    before = {option: spark.conf.get(f"spark.sql.{option}") for option in options}
-    for option, value in options.items():
-        spark.conf.set(f"spark.sql.{option}", value)
+def _done(spark: SparkSession, kernel: batch.Kernel, output: str) -> set[str]:
+    """Return the names of the recordings that have a row of this kernel; refuse rows of another one."""
     try:
-        yield
-    finally:
-        for option, value in before.items():
-            spark.conf.set(f"spark.sql.{option}", value)
-
-
-class _Task:
-    """The kernel, which analyses in child processes where it is tried again."""
-
-    def __init__(self, kernel: batch.Kernel) -> None:
-        self._kernel = kernel
-
-    def __call__(self, batches: Iterator[pyarrow.RecordBatch]) -> Iterator[pyarrow.RecordBatch]:
-        context = TaskContext.get()
-        is_retry = context is not None and context.attemptNumber() > 0
-        return (self._kernel.isolated() if is_retry else self._kernel)(batches)
+        written = spark.read.schema("recording string, kernel_sha256 string").parquet(f"{output}/*")
+        rows = written.distinct().collect()
+    except AnalysisException as reason:
+        if "PATH_NOT_FOUND" not in str(reason):
+            raise
+        return set()
+    kernel.refuse_rows_of_others((row["kernel_sha256"] for row in rows), output)
+    return {row["recording"] for row in rows}
 
 
 def study(results: DataFrame, by: Iterable[str], *, compare_at_m_s: float) -> DataFrame:
-    """Return the restitution of each group of drops, by the drops of this group alone.
+    """Return the restitution of each group of drops, by the drops of this group alone; Spark 4.1 or later.
 
     :func:`bouncelab.batch.study` fits all groups as one model, in which they share balls and operators. The
     restitutions of the two differ by little of their uncertainty.
@@ -144,15 +114,13 @@ def study(results: DataFrame, by: Iterable[str], *, compare_at_m_s: float) -> Da
     first = results.groupBy("content_sha256").agg(functions.min("recording").alias("recording"))
     rows = results.where("record is not null").join(first, ["content_sha256", "recording"], "left_semi")
     groups = rows.groupBy(*(rows["noted"][field].alias(field) for field in fields))
-    levels = [f"`{field}` string" for field in fields]
-    means = [f"{name} double" for name in batch.MEAN]
-    schema = StructType.fromDDL(", ".join([*levels, *means, "no_study string"]))
-    arrow = to_arrow_schema(schema)
+    types = dict.fromkeys(fields, pyarrow.string()) | dict.fromkeys(batch.MEAN, pyarrow.float64())
+    schema = pyarrow.schema(types | {"no_study": pyarrow.string()})
 
     def mean(
         key: tuple[pyarrow.Scalar, ...], rows: Iterator[pyarrow.RecordBatch]
     ) -> Iterator[pyarrow.RecordBatch]:
         known = dict(zip(fields, (level.as_py() for level in key), strict=True))
-        yield pyarrow.RecordBatch.from_pylist([known | batch.mean(rows, compare_at_m_s)], arrow)
+        yield pyarrow.RecordBatch.from_pylist([known | batch.mean(rows, compare_at_m_s)], schema)
 
-    return groups.applyInArrow(mean, schema)
+    return groups.applyInArrow(mean, from_arrow_schema(schema))

@@ -1,6 +1,6 @@
 """The job for ``spark-submit``; see docs/cluster.md.
 
-``spark-submit --master URL $(python -m bouncelab.spark_job --place) SOURCE OUTPUT CHECKPOINT --ball tennis``
+``spark-submit --master URL $(python -m bouncelab.spark_job --place) SOURCE OUTPUT --ball tennis``
 """
 # pyright: reportMissingImports=false
 
@@ -24,15 +24,13 @@ def main() -> None:
         argument_default=argparse.SUPPRESS,
     )
     parser.add_argument("--place", action="version", version=str(Path(__file__).resolve()), help="where this is")
-    parser.add_argument("source", help="folder of recordings, or whatever else Spark reads")
+    parser.add_argument("source", help="folder of recordings, or a URL that fsspec opens")
     parser.add_argument("output", help="folder for the rows")
-    parser.add_argument("checkpoint", help="folder for what was done")
     parser.add_argument("--ball", help="as of bouncelab.analyze")
     parser.add_argument("--pattern", help="as of bouncelab session")
     parser.add_argument("--settings", type=Path, help="JSON with more options of bouncelab.batch.kernel")
     parser.add_argument("--notes", help="CSV with a column recording and what was noted")
-    parser.add_argument("--with-content", action=argparse.BooleanOptionalAction, help="whether Spark reads the files")
-    parser.add_argument("--files-per-trigger", type=int, help="as of bouncelab.spark.analyze")
+    parser.add_argument("--files-at-once", type=int, help="as of bouncelab.spark.analyze")
     parser.add_argument("--files-per-task", type=int, help="as of bouncelab.spark.analyze")
     asked = vars(parser.parse_args())
     file, notes = asked.pop("settings", None), asked.pop("notes", None)

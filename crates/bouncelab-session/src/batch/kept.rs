@@ -20,8 +20,9 @@ use crate::results::{Results, Store};
 use crate::work::Done;
 
 /// Columns of texts that identify the recording of a row.
-const WHICH: [&str; 5] = [
+const WHICH: [&str; 6] = [
     "recording",
+    "kernel_sha256",
     "content_sha256",
     "settings_sha256",
     "failure.message",
@@ -44,6 +45,7 @@ pub struct Batch {
 /// The recording of a row.
 struct Which {
     recording: KnownRecording,
+    kernel: Option<String>,
     settings: Option<String>,
     content: std::result::Result<Hash, String>,
     row: usize,
@@ -60,7 +62,7 @@ impl Batch {
     ///
     /// # Errors
     /// [`Error::Read`] and [`Error::Rows`] if it cannot be read, is not a result of bouncelab, or has results
-    /// of the same recording with different settings or contents.
+    /// of two kernels, or of the same recording with different notes or contents.
     pub fn open(path: &Path) -> Result<Self> {
         let mut files = Vec::new();
         find(path, &mut files)?;
@@ -74,7 +76,12 @@ impl Batch {
             read(file, WHICH, |cells| {
                 let which = Which::of(cells, rows.len(), &mut metadata);
                 rows.push(which.map_err(wrong)?);
-                Ok(())
+                if rows.last().map(|it| &it.kernel) == rows.first().map(|it| &it.kernel) {
+                    return Ok(());
+                }
+                let problem = "has results of other settings, or of another version, than those before it; \
+                               every kernel needs an output of its own";
+                Err(wrong(problem.to_owned()))
             })?;
         }
         let mut batch = Self {
@@ -104,8 +111,8 @@ impl Batch {
             } else if last.as_ref() != Some(&key) {
                 let name = row.recording.name();
                 let problem = format!(
-                    "has two results of {name}, of different contents or settings; every kernel needs an \
-                     output of its own"
+                    "has two results of {name}, of different contents or notes; recordings must not change, \
+                     nor their notes"
                 );
                 return Err(Error::rows(path, problem));
             }
@@ -158,7 +165,7 @@ impl Batch {
 
 impl Which {
     fn of(
-        [name, content, settings, failure, known]: [Option<String>; 5],
+        [name, kernel, content, settings, failure, known]: [Option<String>; 6],
         row: usize,
         metadata: &mut KnownMetadata,
     ) -> std::result::Result<Self, String> {
@@ -177,6 +184,7 @@ impl Which {
                 },
                 metadata: metadata.of(known.as_deref().unwrap_or_default())?,
             },
+            kernel,
             settings,
             content,
             row,

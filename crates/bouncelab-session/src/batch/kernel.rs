@@ -11,12 +11,12 @@ use serde::{Deserialize, Serialize};
 
 use super::row::{Failure, FailureCode, Known, Row};
 use crate::error::{Error, Result};
-use crate::hash::{Hash, hash};
-use crate::metadata::{Advice, KnownRecording, MetadataOptions};
+use crate::hash::{Hash, hash, hash_of};
+use crate::metadata::{Advice, BUILD, KnownRecording, MetadataOptions};
 use crate::name::{name, without_name};
 use crate::notes::Note;
 use crate::pattern::Pattern;
-use crate::record::Record;
+use crate::record::{RECORD, Record};
 use crate::recordings::{RecordingFile, Session};
 
 /// How recordings are analysed, in addition to the settings for all.
@@ -48,6 +48,7 @@ pub struct Kernel {
     settings: Settings,
     options: KernelOptions,
     pattern: Option<Pattern>,
+    hash: Hash,
 }
 
 /// A recording before its analysis.
@@ -55,6 +56,7 @@ struct Begun {
     recording: KnownRecording,
     known: Known,
     content: std::result::Result<Hash, String>,
+    kernel: Hash,
 }
 
 impl Kernel {
@@ -84,10 +86,16 @@ impl Kernel {
             problem: refusal.to_string(),
         })?;
         Ok(Self {
+            hash: hash_of(&(RECORD, BUILD, &settings, &options)),
             pattern: options.pattern.as_deref().map(Pattern::new).transpose()?,
             settings,
             options,
         })
+    }
+
+    /// Hash of the settings for all recordings, the options, and this build: rows of one output have one.
+    pub fn hash(&self) -> Hash {
+        self.hash
     }
 
     /// Analyses a recording.
@@ -146,6 +154,7 @@ impl Kernel {
                     let message = without_name(&refusal.to_string(), &name).to_owned();
                     Box::new(Row {
                         recording: name,
+                        kernel: self.hash,
                         content: None,
                         settings: None,
                         failure: Some(Failure {
@@ -167,6 +176,7 @@ impl Kernel {
             recording,
             known,
             content,
+            kernel: self.hash,
         })
     }
 
@@ -224,6 +234,7 @@ impl Begun {
         };
         Row {
             recording: self.recording.recording.name,
+            kernel: self.kernel,
             content,
             settings: Some(settings),
             failure,

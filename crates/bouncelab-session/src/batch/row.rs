@@ -22,6 +22,8 @@ use crate::recordings::RecordingFile;
 pub struct Row {
     /// Name of the recording.
     pub recording: String,
+    /// Hash of what holds for all recordings: the settings and options of the kernel, and the version.
+    pub kernel: Hash,
     /// Hash of its content, if it can be read.
     pub content: Option<Hash>,
     /// Hash of settings and version: that of the tables of a session.
