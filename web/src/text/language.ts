@@ -97,13 +97,19 @@ function bundleOf(code: string, files: readonly string[]): FluentBundle {
   return made;
 }
 
-export async function speak(code: string): Promise<void> {
+/** Words and answers in a language from now on. */
+export async function learn(code: string): Promise<void> {
   const [page, sources] = code === FALLBACK ? [english, []] : await sourcesOf(code);
   batch(() => {
     bundle.value = bundleOf(code, page);
     messages.value = { code, sources };
     language.value = code;
   });
+}
+
+/** Speaks a language, as a whole page. */
+export async function speak(code: string): Promise<void> {
+  await learn(code);
   document.documentElement.lang = code;
   document.title = text('page-app-title');
 }
