@@ -45,6 +45,11 @@ pub(crate) fn build() -> Result {
     let mut build = Command::new(mdbook);
     build.arg("build").arg(root()).arg("--dest-dir");
     run_command(build.arg(&folder))?;
+    if python::interpreters().is_empty() {
+        skip(&format!("the reference of Python: {}", python::MISSING));
+    } else {
+        python::reference(&folder.join("python-reference"))?;
+    }
     println!("made in {}", folder.display());
     Ok(())
 }

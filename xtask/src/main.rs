@@ -17,6 +17,7 @@ mod cluster;
 mod fresh;
 mod fuzz;
 mod measure;
+mod notices;
 mod package;
 mod python;
 mod release;
@@ -82,7 +83,7 @@ const TASKS: [Task; 7] = [
     },
     Task {
         name: "web",
-        arguments: "[engine | check | e2e [FILE...] [--firefox] [--repeat N] [--load] [--pictures]]",
+        arguments: "[engine | package | check | e2e [FILE...] [--firefox] [--repeat N] [--load] [--pictures]]",
         about: web::ABOUT,
         run: web::run,
     },

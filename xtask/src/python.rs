@@ -10,9 +10,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
 
-use crate::Result;
 use crate::cargo::{built, cargo, copy_program, root, run as run_command, succeeds, target};
 use crate::steps::skip;
+use crate::{Result, notices};
 
 pub(crate) const ABOUT: &str = "Build the wheel of the Python package into target/wheels";
 
@@ -56,14 +56,26 @@ pub(crate) fn checked_wheel() -> Result<PathBuf> {
 
 /// The first notebook of the package, run with the wheel of the checks and shown as a page of HTML.
 pub(crate) fn notebook() -> Result<PathBuf> {
+    let mut convert = venv_of_book()?.python(&["-m", "nbconvert", "--execute", "--to", "html"]);
+    convert.arg("--output-dir").arg(target());
+    run_command(convert.arg("notebooks/1-a-first-drop.ipynb"))?;
+    Ok(target().join("1-a-first-drop.html"))
+}
+
+/// Writes what the package documents of its public names into a folder, as pages of HTML.
+pub(crate) fn reference(folder: &Path) -> Result {
+    let mut write = venv_of_book()?.python(&["-m", "pdoc", "--docformat", "numpy"]);
+    write.arg("--output-directory").arg(folder);
+    run_command(write.args(["bouncelab", "bouncelab.batch"]))
+}
+
+/// What makes parts of the book, with the wheel of the checks.
+fn venv_of_book() -> Result<Venv> {
     let found = interpreters();
     let (_, python) = found.first().ok_or(MISSING)?;
     let venv = Venv::named("book", python, "requirements-book.txt")?;
     venv.take(&checked_wheel()?)?;
-    let mut convert = venv.python(&["-m", "nbconvert", "--execute", "--to", "html"]);
-    convert.arg("--output-dir").arg(target());
-    run_command(convert.arg("notebooks/1-a-first-drop.ipynb"))?;
-    Ok(target().join("1-a-first-drop.html"))
+    Ok(venv)
 }
 
 /// Installs a wheel into a folder of its own.
@@ -277,8 +289,9 @@ impl Venv {
         fs::remove_dir_all(&folder).ok();
         let built = if profile == "dev" { "debug" } else { profile };
         // Where maturin takes the scripts of a wheel from.
-        let scripts = package().join("bouncelab.data/scripts");
+        let scripts = package().join("bouncelab._core.data/scripts");
         copy_program(&target().join(built), &scripts)?;
+        notices::write(&package())?;
         let mut build = self.tool("maturin");
         build.args(["build", "--profile", profile, "--compression-level", "9"]);
         build.arg("--interpreter");

@@ -13,7 +13,7 @@ use crate::cargo::{
     built, cargo, copy_program, emptied, install, root, run as run_command, succeeds, target,
 };
 use crate::steps::skip;
-use crate::{Result, book, file_error, python, web};
+use crate::{Result, book, file_error, notices, python, web};
 
 pub(crate) const ABOUT: &str =
     "Make all that a release publishes and this machine can make, into target/release-artefacts";
@@ -51,7 +51,7 @@ const COMPLETIONS: [(&str, &str); 4] = [
 ];
 
 /// Where the Debian package has what is in the archive; the manual pages besides.
-const IN_DEBIAN: [(&str, &str); 6] = [
+const IN_DEBIAN: [(&str, &str); 7] = [
     ("bouncelab", "bin/bouncelab"),
     (
         "completions/bouncelab.bash",
@@ -66,6 +66,7 @@ const IN_DEBIAN: [(&str, &str); 6] = [
         "share/fish/vendor_completions.d/bouncelab.fish",
     ),
     ("README.md", "share/doc/bouncelab/README.md"),
+    (notices::NAME, "share/doc/bouncelab/LICENSE-THIRD-PARTY.txt"),
     ("CHANGELOG.md", "share/doc/bouncelab/changelog"),
 ];
 
@@ -167,8 +168,14 @@ fn wheel(folder: &Path, make: fn() -> Result<PathBuf>) -> Result {
 /// The page, the book, and the text of the release.
 fn documents(folder: &Path) -> Result {
     if has_page() {
+        notices::write(&web::web().join("dist"))?;
         let name = format!("bouncelab-page-{VERSION}");
         archive(folder, &name, &web::web(), "dist")?;
+        let package = web::package()?;
+        copy(
+            &package,
+            &folder.join(package.file_name().unwrap_or_default()),
+        )?;
     } else {
         skip("the page, which was not built");
     }
@@ -199,6 +206,7 @@ fn program(folder: &Path, built: &Path, triple: &str) -> Result {
     for document in DOCUMENTS {
         copy(&root().join(document), &contents.join(document))?;
     }
+    notices::write(&contents)?;
     let mut manual = Command::new(&program);
     manual.arg("manual").arg(contents.join("man"));
     run_command(&mut manual)?;
@@ -571,6 +579,11 @@ mod tests {
                 4,
             ),
             ("web/package.json", format!("\"version\": \"{VERSION}\""), 1),
+            (
+                "web/package/package.json",
+                format!("\"version\": \"{VERSION}\""),
+                1,
+            ),
             (
                 "web/package-lock.json",
                 format!("\"name\": \"bouncelab-web\",\n  \"version\": \"{VERSION}\""),

@@ -11,13 +11,12 @@ use std::sync::OnceLock;
 
 use crate::cargo::{built, cargo, root, run as run_command};
 use crate::steps::skip;
-use crate::{Result, file_error};
+use crate::{Result, file_error, notices};
 
 pub(crate) use e2e::{class, firefox, pictures, run as e2e};
 pub(crate) use system::{has_browser, has_firefox, has_node, has_target};
 
-pub(crate) const ABOUT: &str =
-    "Build the page into web/dist; or only its engine; or check it; or run its end-to-end tests";
+pub(crate) const ABOUT: &str = "Build the page into web/dist; or only its engine; or the package for other pages; or check it; or run its end-to-end tests";
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -29,10 +28,11 @@ pub(crate) fn run(words: &[String]) -> Result {
     match words[..] {
         [] => build(),
         ["engine"] => engine(),
+        ["package"] => package().map(|packed| println!("made {}", packed.display())),
         ["check"] => check(),
         ["e2e", ref words @ ..] => e2e(words),
         _ => Err(format!(
-            "\"{}\" is none of engine, check, e2e",
+            "\"{}\" is none of engine, package, check, e2e",
             words.join(" ")
         )),
     }
@@ -47,6 +47,30 @@ pub(crate) fn build() -> Result {
 fn page() -> Result {
     engine()?;
     npm(&["run", "build"])
+}
+
+/// The package of npm for pages of others, packed into the target folder.
+pub(crate) fn package() -> Result<PathBuf> {
+    engine()?;
+    unpacked()?;
+    npm(&[
+        "pack",
+        "./package",
+        "--pack-destination",
+        &target().display().to_string(),
+    ])?;
+    Ok(target().join(concat!("bouncelab-", env!("CARGO_PKG_VERSION"), ".tgz")))
+}
+
+/// What the package holds, in its folder.
+fn unpacked() -> Result {
+    let folder = web().join("package");
+    for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
+        fs::copy(root().join(licence), folder.join(licence))
+            .map_err(|reason| file_error(&folder, &reason))?;
+    }
+    notices::write(&folder)?;
+    npm(&["run", "package"])
 }
 
 /// Every check of the page that needs no browser.

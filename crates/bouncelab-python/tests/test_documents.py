@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.metadata
 import itertools
 import os
 import re
@@ -46,3 +47,20 @@ def test_the_queries_of_a_session_run(tmp_path: Path, monkeypatch: pytest.Monkey
     parquet.write_table(study.drops.to_arrow(), tmp_path / "bouncelab-session" / "drops.parquet")
     monkeypatch.chdir(tmp_path)
     run_examples("docs/session.md")
+
+
+def test_the_reference_has_every_public_name() -> None:
+    pdoc = pytest.importorskip("pdoc")
+    pdoc.render.configure(docformat="numpy")
+    for module in (bl, bl.batch):
+        page = pdoc.render.html_module(pdoc.doc.Module(module), {module.__name__: pdoc.doc.Module(module)})
+        lacks = [name for name in module.__all__ if not name.startswith("__") and f'id="{name}"' not in page]
+        assert not lacks
+
+
+def test_the_package_has_the_licences_of_all_that_it_contains() -> None:
+    files = importlib.metadata.files("bouncelab") or []
+    texts = {path.name: path.read_text(encoding="utf-8") for path in files if path.name.startswith("LICENSE")}
+    assert texts.keys() == {"LICENSE-MIT", "LICENSE-APACHE", "LICENSE-THIRD-PARTY.txt"}
+    assert "\nsymphonia " in texts["LICENSE-THIRD-PARTY.txt"]
+    assert "Mozilla Public License" in texts["LICENSE-THIRD-PARTY.txt"]

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
-use super::{npm_command, page, system};
+use super::{npm_command, page, system, unpacked};
 use crate::Result;
 use crate::cargo::{built, run as run_command};
 use crate::steps::{Time, Watch};
@@ -40,6 +40,7 @@ pub(crate) fn run(words: &[&str]) -> Result {
         return Err("the end-to-end tests need Chromium".into());
     }
     page()?;
+    unpacked()?;
     let program = built("--bin", "bouncelab")?;
     let busy = load.then(Load::start);
     let runs: Vec<(Result, Time)> = (1..=repeat)
