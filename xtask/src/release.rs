@@ -579,6 +579,7 @@ mod tests {
                 4,
             ),
             ("web/package.json", format!("\"version\": \"{VERSION}\""), 1),
+            ("conda/recipe.yaml", format!("version: \"{VERSION}\""), 1),
             (
                 "web/package/package.json",
                 format!("\"version\": \"{VERSION}\""),

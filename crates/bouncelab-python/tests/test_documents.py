@@ -64,3 +64,13 @@ def test_the_package_has_the_licences_of_all_that_it_contains() -> None:
     assert texts.keys() == {"LICENSE-MIT", "LICENSE-APACHE", "LICENSE-THIRD-PARTY.txt"}
     assert "\nsymphonia " in texts["LICENSE-THIRD-PARTY.txt"]
     assert "Mozilla Public License" in texts["LICENSE-THIRD-PARTY.txt"]
+
+
+def test_the_recipe_of_conda_makes_a_package_for_every_system() -> None:
+    rattler = pytest.importorskip("rattler_build")
+    recipe = rattler.Stage0Recipe.from_file(str(ROOT / "conda" / "recipe.yaml"))
+    variants = rattler.VariantConfig.from_yaml("c_compiler: [gcc]\nrust_compiler: [rust]\nc_stdlib: [sysroot]\n")
+    for system in ("linux-64", "linux-aarch64", "osx-arm64", "win-64"):
+        platform = rattler.PlatformConfig(target_platform=system)
+        [made] = recipe.render(variants, rattler.RenderConfig(platform))
+        assert (str(made.recipe.package.name), str(made.recipe.package.version)) == ("bouncelab", bl.__version__)
