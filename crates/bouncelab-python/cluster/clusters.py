@@ -119,6 +119,8 @@ class Ray:
         options = ["--head", f"--port={self.port}", "--include-dashboard=false", f"--temp-dir={folder / 'ray'}"]
         self.head = self._start(*options)
         self.url = f"{HOST}:{self.port}"
+        # A driver waits for it a few seconds only.
+        until(self._answers, "the head of Ray", self.head)
 
     def _start(self, *options: str) -> subprocess.Popen[bytes]:
         log = (self.folder / "ray.log").open("ab")
@@ -127,6 +129,10 @@ class Ray:
         # Nodes of one machine would all listen at the same port.
         command += [f"--dashboard-agent-listen-port={free_port()}"]
         return subprocess.Popen(command, env=self.environment, stdout=log, stderr=log, start_new_session=True)
+
+    def _answers(self) -> bool:
+        with socket.socket() as probe:
+            return probe.connect_ex((HOST, self.port)) == 0
 
     def add_worker(self) -> None:
         self.nodes.append(self._start(f"--address={self.url}"))

@@ -84,8 +84,8 @@ def analyze(
 def _done(spark: SparkSession, kernel: batch.Kernel, output: str) -> set[str]:
     """Return the names of the recordings that have a row of this kernel; refuse rows of another one."""
     try:
-        written = spark.read.schema("recording string, kernel_sha256 string").parquet(f"{output}/*")
-        rows = written.distinct().collect()
+        written = spark.read.schema("recording string, kernel_sha256 string").option("recursiveFileLookup", True)
+        rows = written.parquet(output).distinct().collect()
     except AnalysisException as reason:
         if "PATH_NOT_FOUND" not in str(reason):
             raise
