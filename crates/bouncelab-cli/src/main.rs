@@ -4,6 +4,7 @@ mod analyze;
 mod balls;
 mod demo;
 mod failure;
+mod help;
 mod history;
 mod interrupt;
 mod job;
@@ -24,11 +25,12 @@ mod synth;
 mod terminal;
 mod verdict;
 
+use std::env;
 use std::io::{self, Write};
 use std::process::ExitCode;
 
 use bouncelab_report::units;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 /// Measure restitution, drop height and air drag of a bouncing ball from the sound of its impacts.
 #[derive(Parser)]
@@ -44,7 +46,7 @@ struct Cli {
     command: Command,
     /// Language of the results, as in de (default: that of the system, else English); help and errors of
     /// arguments and files are in English
-    #[arg(long, global = true, value_name = "CODE", value_parser = language::known)]
+    #[arg(long, global = true, hide_short_help = true, value_name = "CODE", value_parser = language::known)]
     language: Option<String>,
 }
 
@@ -81,7 +83,9 @@ enum Command {
 
 fn main() -> ExitCode {
     bouncelab_audio::silence_contained_panics();
-    let cli = match Cli::try_parse() {
+    let arguments = help::arguments(env::args_os());
+    let matches = help::in_two_lengths(Cli::command()).try_get_matches_from(arguments);
+    let cli = match matches.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
         Err(answer) => return tell(&answer),
     };

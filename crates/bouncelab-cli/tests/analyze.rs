@@ -59,6 +59,56 @@ fn write_text(folder: &TempDir, name: &str, text: &str) -> PathBuf {
     path
 }
 
+/// Sound and lists may come from another program, as by `ffmpeg ... | bouncelab analyze -`.
+#[test]
+fn standard_input_is_read_as_sound_or_as_a_list() {
+    let folder = TempDir::new().unwrap();
+    let of_file = json(&mut analyze(&recording(&folder)));
+    let bytes = fs::read(recording(&folder)).unwrap();
+    let of_input = json(analyze(Path::new("-")).write_stdin(bytes));
+    assert_eq!(of_input["drops"], of_file["drops"]);
+    assert_eq!(of_input["recording"], "-");
+
+    let list: Vec<String> = times(9).iter().map(ToString::to_string).collect();
+    let of_list = json(analyze(Path::new("-")).write_stdin(list.join("\n")));
+    assert_eq!(of_list["drops"][0]["impacts"].as_array().unwrap().len(), 9);
+
+    analyze(Path::new("-")).write_stdin("").assert().code(1);
+    let cues = folder.path().join("cues.wav");
+    let refused = analyze(Path::new("-"))
+        .arg("--cues")
+        .arg(cues)
+        .write_stdin("")
+        .assert();
+    refused
+        .code(2)
+        .stderr(predicate::str::contains("needs a file"));
+}
+
+/// `--help` is short; `--help all` has everything.
+#[test]
+fn help_shows_what_a_first_user_needs() {
+    let help = |words: &[&str]| {
+        let output = bouncelab().args(words).output().unwrap();
+        assert!(output.status.success());
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let short = help(&["analyze", "--help"]);
+    let options = short
+        .lines()
+        .filter(|line| line.trim_start().starts_with("--"));
+    assert_eq!(options.count(), 5, "{short}");
+    assert!(
+        short.contains("--ball") && short.contains("bouncelab analyze --help all"),
+        "{short}"
+    );
+    let all = help(&["analyze", "--help", "all"]);
+    assert!(
+        all.contains("--air-viscosity") && !all.contains("--help all"),
+        "{all}"
+    );
+}
+
 /// Four clear impacts are too few to be taken for a drop: they are offered, count nowhere, and are analysed once accepted.
 #[test]
 fn what_may_be_a_drop_is_offered_and_counts_once_it_is_accepted() {

@@ -9,6 +9,7 @@ mod text;
 
 use cues::write_cues;
 pub(crate) use figures::{Stems, save_figures};
+use read::is_standard_input;
 pub(crate) use read::{Analysed, read};
 use report::ReportArguments;
 pub(crate) use text::{assumed, note, report};
@@ -37,7 +38,7 @@ use crate::terminal::{print, print_data, print_json, print_json_line, say};
 #[derive(Args)]
 #[command(long_about = about(), after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// Recordings, or lists of impact times
+    /// Recordings, or lists of impact times; - is standard input, with sound or a list as text
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// How to print the result; JSON is documented in docs/json.md
@@ -95,6 +96,7 @@ Examples:
   bouncelab analyze drop.wav --report drop.html         or drop.md
   bouncelab analyze drop.wav --exclude 2.317 --include 4.1,4.25
   bouncelab analyze times.csv --format json
+  ffmpeg -i film.avi -f wav - | bouncelab analyze -      sound from another program
   bouncelab analyze drop.wav --format audacity > labels.txt   or textgrid, tracker
   bouncelab analyze class/*.wav --format csv > impacts.csv
   bouncelab analyze class/*.wav --format csv --rows drops > drops.csv";
@@ -128,6 +130,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let is_for_one = arguments.format.is_of_one() || arguments.cues.is_some();
     if is_for_one && arguments.files.len() > 1 {
         return Err(Failure::Usage(text("analyze-one-labelled")));
+    }
+    if arguments.cues.is_some() && arguments.files.iter().any(|file| is_standard_input(file)) {
+        return Err(Failure::Usage(text("analyze-cues-of-file")));
     }
     if arguments.rows.is_some() && arguments.format != Format::Csv {
         let problem = "--rows is of a table; add --format csv";

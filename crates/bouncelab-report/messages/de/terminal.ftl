@@ -40,6 +40,8 @@ analyze-no-drop = { $name }: kein springender Ball gefunden: { $reason }
 analyze-detecting = suche { $bar } { $done } s, noch { $left }
 analyze-inferring = Inferenz aus { $impacts } Aufprallen (--no-inference lässt sie aus)
 analyze-one-report = ein Bericht gilt einer Aufnahme, hier sind es mehrere: bouncelab session macht einen aus vielen
+analyze-cues-of-file = --cues kopiert eine Aufnahme und braucht deshalb eine Datei statt der Standardeingabe
+analyze-input-too-long = die Standardeingabe ist länger als 1 GiB, und sie wird im Speicher gehalten; speichere sie in einer Datei
 analyze-one-labelled = Textmarken, Marken im Ton und Bewegung gelten einer Aufnahme, hier sind es mehrere: eine nach der anderen angeben
 analyze-cues-need-sound = { $name } ist eine Liste von Zeiten ohne Ton, in dem Marken stehen könnten; --format audacity oder textgrid schreibt Textmarken
 

@@ -42,6 +42,8 @@ analyze-no-drop = { $name }: no drop found: { $reason }
 analyze-detecting = detecting { $bar } { $done } s, { $left } left
 analyze-inferring = inferring from { $impacts } impacts (--no-inference leaves it out)
 analyze-one-report = a report is for one recording, and several were given; bouncelab session reports on several
+analyze-cues-of-file = --cues copies a recording, so it needs a file instead of standard input
+analyze-input-too-long = standard input is longer than 1 GiB, which is held in memory; save it to a file
 analyze-one-labelled = labels, markers and motion are of one recording, and several were given; give one at a time
 analyze-cues-need-sound = { $name } is a list of times, which has no sound to mark; --format audacity or textgrid writes labels
 

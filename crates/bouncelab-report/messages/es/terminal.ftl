@@ -41,6 +41,8 @@ analyze-no-drop = { $name }: no se halló ningún ensayo: { $reason }
 analyze-detecting = detectando { $bar } { $done } s, quedan { $left }
 analyze-inferring = inferencia a partir de { $impacts } impactos (--no-inference la omite)
 analyze-one-report = un informe es de una grabación, y se dieron varias; bouncelab session informa sobre varias
+analyze-cues-of-file = --cues copia una grabación, así que necesita un archivo en lugar de la entrada estándar
+analyze-input-too-long = la entrada estándar supera 1 GiB, que se guarda en memoria; guárdala en un archivo
 analyze-one-labelled = etiquetas, marcas y movimiento son de una grabación, y se dieron varias; da una cada vez
 analyze-cues-need-sound = { $name } es una lista de tiempos, sin sonido que marcar; --format audacity o textgrid escribe etiquetas
 

@@ -41,6 +41,8 @@ analyze-no-drop = { $name } : aucun essai trouvé : { $reason }
 analyze-detecting = détection { $bar } { $done } s, reste { $left }
 analyze-inferring = inférence à partir de { $impacts } impacts (--no-inference l’omet)
 analyze-one-report = un rapport porte sur un enregistrement, et plusieurs ont été donnés ; bouncelab session fait un rapport sur plusieurs
+analyze-cues-of-file = --cues copie un enregistrement : il faut un fichier au lieu de l’entrée standard
+analyze-input-too-long = l’entrée standard dépasse 1 Gio, gardé en mémoire ; enregistre-la dans un fichier
 analyze-one-labelled = étiquettes, marqueurs et mouvement sont d’un seul enregistrement, et plusieurs ont été donnés ; donnes-en un à la fois
 analyze-cues-need-sound = { $name } est une liste de temps, sans son à marquer ; --format audacity ou textgrid écrit des étiquettes
 
