@@ -2,7 +2,7 @@
 //! a language.
 //!
 //! What the page in a browser says by itself, it reads by itself. The engine in a browser gets English
-//! only, without what a terminal, a lesson sheet or a rule says; the page loads the other languages when a reader
+//! only, without what a terminal or a lesson sheet says; the page loads the other languages when a reader
 //! chooses them.
 
 #![expect(clippy::disallowed_methods, reason = "names of files of the project")]
@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 const OF_PAGE: &str = "page.ftl";
 /// What the engine in a browser never says.
-const NOT_OF_ENGINE: [&str; 3] = ["rules.ftl", "sheets.ftl", "terminal.ftl"];
+const NOT_OF_ENGINE: [&str; 2] = ["sheets.ftl", "terminal.ftl"];
 
 fn main() -> io::Result<()> {
     let out = env::var_os("OUT_DIR").expect("cargo names it");

@@ -1,11 +1,9 @@
 /** A lesson: the teacher's link, the page of a pupil, and how a drop is handed in and collected. */
-import { writeFileSync } from 'node:fs';
-import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { launch, type Preparation } from './harness/browser.ts';
 import { fixture } from './harness/fixture.ts';
-import { folder } from './harness/program.ts';
+import { film, seen } from './support/camera.ts';
 import { overflow, violations } from './support/layout.ts';
 import { open, settled, still } from './support/page.ts';
 import { picture } from './support/pictures.ts';
@@ -86,35 +84,6 @@ test('a pupil is asked for name, ball, surface and height, and hands in; the tea
   for (const page of [teacher, pupil]) await page.context().close();
 });
 
-/** Pictures of a camera that sees a code, as a film of the plain format Y4M in grey. */
-async function film(page: Page): Promise<string> {
-  const [width, height] = [640, 480];
-  const grey = await page.locator('.shared .qr').evaluate(
-    async (svg, [width, height]) => {
-      const source = new XMLSerializer().serializeToString(svg);
-      const image = new Image();
-      image.src = URL.createObjectURL(new Blob([source], { type: 'image/svg+xml' }));
-      await image.decode();
-      const canvas = document.createElement('canvas');
-      Object.assign(canvas, { width, height });
-      const context = canvas.getContext('2d') as CanvasRenderingContext2D;
-      context.fillStyle = 'silver';
-      context.fillRect(0, 0, width, height);
-      context.drawImage(image, 100, 20, 440, 440);
-      const { data } = context.getImageData(0, 0, width, height);
-      return Array.from({ length: width * height }, (_, at) => data[4 * at] ?? 0);
-    },
-    [width, height] as const,
-  );
-  // Limited range, and colours without colour.
-  const luma = Buffer.from(grey.map((level) => Math.round(16 + (level * 219) / 255)));
-  const chroma = Buffer.alloc((width * height) / 2, 128);
-  const path = join(folder(), 'camera.y4m');
-  const head = Buffer.from(`YUV4MPEG2 W${width} H${height} F10:1 Ip A1:1 C420jpeg\n`);
-  writeFileSync(path, Buffer.concat([head, Buffer.from('FRAME\n'), luma, chroma]));
-  return path;
-}
-
 test('the camera of the teacher reads the code of a drop, once', async () => {
   const { page: pupil } = await open(here.browser, here.url);
   const times = Array.from({ length: 12 }, (_, n) => ((0.5 * (1 - 0.9 ** n)) / 0.1).toFixed(4));
@@ -123,7 +92,7 @@ test('the camera of the teacher reads the code of a drop, once', async () => {
   await settled(pupil);
   await pupil.getByRole('button', { name: 'Share this drop' }).click();
   await pupil.locator('.shared .qr').waitFor();
-  const camera = await film(pupil);
+  const camera = film([await seen(pupil)]);
   const seeing: Browser = await launch({ camera });
   const { page: teacher } = await open(seeing, `${here.url}#drops`);
   await teacher.getByRole('button', { name: 'Scan QR codes' }).click();

@@ -72,7 +72,7 @@ async function group(page: Page): Promise<void> {
   }
   const groups = page.locator('.groups[aria-busy=false]');
   for (const surface of ['stone', 'wood']) {
-    await groups.locator('td', { hasText: surface }).first().waitFor();
+    await groups.locator('p', { hasText: surface }).first().waitFor();
   }
 }
 

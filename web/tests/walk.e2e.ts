@@ -64,7 +64,6 @@ test.for([
     await page.getByRole('radio', { name: 'table tennis 40+', checked: true }).waitFor();
 
     for (const fold of [
-      'What do these words mean?',
       'With and without air',
       'What this recording determines, and what not',
       'All numbers',
@@ -82,6 +81,13 @@ test.for([
     await press(page, 'ArrowLeft', 'tab "Restitution"');
     await press(page, 'ArrowLeft', 'tab "With and without air"');
     await drawn(page, 'With and without air');
+    // A term explains itself.
+    await tabTo(page, 'button "With and without air"');
+    await page.keyboard.press('Enter');
+    await page.getByText('A flight is the time from one impact to the next.').waitFor();
+    await page.keyboard.press('Escape');
+    await page.getByText('A flight is the time from').waitFor({ state: 'hidden' });
+    expect(await focused(page)).toBe('button "With and without air"');
     await tabTo(page, 'button "SVG"');
 
     await tabTo(page, 'textbox "Name"');

@@ -76,6 +76,9 @@ fn declarations() -> String {
     all.declare::<wire::DropLink>();
     all.declare::<wire::StudyRequest>();
     all.declare::<wire::Studied>();
+    all.declare::<wire::RuleChoice>();
+    all.declare::<wire::VerdictRequest>();
+    all.declare::<wire::Judged>();
     all.declare::<wire::SimulationRequest>();
     all.declare::<wire::SceneRequest>();
     all.declare::<wire::SimulationRun>();

@@ -82,7 +82,7 @@ impl Analyst {
     }
 
     /// The analysis of one drop, from memory if it is there.
-    fn drop(&mut self, task: &DropTask) -> Drop {
+    pub(crate) fn drop(&mut self, task: &DropTask) -> Drop {
         let analysed = match self.remembered.iter().position(|(other, _)| other == task) {
             Some(index) => self.remembered.remove(index),
             None => (task.clone(), task.run()),

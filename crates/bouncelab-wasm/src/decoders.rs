@@ -16,6 +16,7 @@ use crate::groups;
 use crate::language::translator;
 use crate::link;
 use crate::refusal::{Refusal, Result};
+use crate::verdict;
 use crate::wire::{ComparedDrop, ReadList};
 
 /// The content of a file: a list of times, or sound.
@@ -143,6 +144,17 @@ pub fn read_qr_code(grey: &[u8], width: usize) -> Option<String> {
 #[wasm_bindgen(js_name = linkedDrop)]
 pub fn linked_drop(code: &str) -> Result<String> {
     Ok(serde_json::to_string(&LinkedDrop::of_code(code)?)?)
+}
+
+/// The rules by which drops can be judged, in a language by its code and its files.
+#[expect(
+    clippy::needless_pass_by_value,
+    reason = "JavaScript hands over a vector"
+)]
+#[wasm_bindgen]
+pub fn rules(code: &str, sources: Vec<String>) -> Result<String> {
+    let choices = verdict::choices(&translator(code, &sources)?)?;
+    Ok(serde_json::to_string(&choices)?)
 }
 
 /// The study of many drops, in a language by its code and its files.

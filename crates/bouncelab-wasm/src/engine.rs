@@ -23,6 +23,7 @@ use crate::pyramid::Level;
 use crate::refusal::Result;
 use crate::simulator;
 use crate::spectrogram::{self, FLOOR_DB};
+use crate::verdict;
 use crate::wire::SimulationRequest;
 
 fn json<T: Serialize>(value: &T) -> Result<String> {
@@ -227,6 +228,21 @@ impl JsAnalyst {
         let request = read(request)?;
         let analysis = self.0.analyse(&request, &translator.0)?;
         Ok(analysis.report(sound, made))
+    }
+
+    /// Judges drops by a rule.
+    pub fn judge(&mut self, request: &str, translator: &JsTranslator) -> Result<String> {
+        json(&verdict::judge(
+            &mut self.0,
+            &read(request)?,
+            &translator.0,
+        )?)
+    }
+
+    /// The report of a verdict as HTML.
+    #[wasm_bindgen(js_name = verdictReport)]
+    pub fn verdict_report(&mut self, request: &str, translator: &JsTranslator) -> Result<String> {
+        verdict::report(&mut self.0, &read(request)?, &translator.0)
     }
 
     /// The impacts as CSV.

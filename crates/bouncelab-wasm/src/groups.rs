@@ -1,6 +1,7 @@
 //! The study of kept drops: that of the program.
 
 use bouncelab::groups::Group;
+use bouncelab_report::Chart;
 use bouncelab_report::chart::Point;
 use bouncelab_report::groups::{About, GroupStudy, NotedDrop, Question, Reason, figures, page};
 use bouncelab_report::messages::Translator;
@@ -9,14 +10,24 @@ use bouncelab_report::report::{Page, Provenance, repeat};
 use crate::refusal::{Refusal, Result};
 use crate::wire::{Comparable, Studied, StudiedDrop, StudyRequest};
 
+/// Charts with their names.
+type Charts = Vec<(&'static str, Chart)>;
+
 /// Studies drops.
 ///
 /// # Errors
 ///
 /// None that a request can cause.
 pub fn study(request: &StudyRequest, translator: &Translator) -> Result<Studied> {
-    let Page { lead, sections, .. } = paged(request, translator)?;
-    Ok(Studied { lead, sections })
+    let (groups, mut charts) = compared(request, translator)?;
+    let school = charts.iter().position(|(name, _)| *name == "intervals");
+    let figure = school.map(|index| charts.remove(index).1);
+    let Page { lead, sections, .. } = paged(request, &groups, &charts, translator);
+    Ok(Studied {
+        lead,
+        figure,
+        sections,
+    })
 }
 
 /// The report of a study as one HTML file.
@@ -25,10 +36,12 @@ pub fn study(request: &StudyRequest, translator: &Translator) -> Result<Studied>
 ///
 /// As those of [`study`].
 pub fn report(request: &StudyRequest, translator: &Translator) -> Result<String> {
-    Ok(paged(request, translator)?.html())
+    let (groups, charts) = compared(request, translator)?;
+    Ok(paged(request, &groups, &charts, translator).html())
 }
 
-fn paged(request: &StudyRequest, translator: &Translator) -> Result<Page> {
+/// The study with its figures.
+fn compared(request: &StudyRequest, translator: &Translator) -> Result<(GroupStudy, Charts)> {
     let is_comparable = |drop: &&StudiedDrop| comparable(drop).is_some();
     let studied: Vec<&StudiedDrop> = request.drops.iter().filter(is_comparable).collect();
     let by = request.by.iter().filter(|field| is_noted(&studied, field));
@@ -52,12 +65,21 @@ fn paged(request: &StudyRequest, translator: &Translator) -> Result<Page> {
     };
     let of_groups = groups.study.iter().flat_map(|study| &study.groups);
     let charts = figures(&groups, of_groups.map(impacts).collect(), translator);
+    Ok((groups, charts))
+}
+
+fn paged(
+    request: &StudyRequest,
+    groups: &GroupStudy,
+    charts: &Charts,
+    translator: &Translator,
+) -> Page {
     let provenance = Provenance {
         made: request.made.clone(),
         ..Provenance::default()
     };
     let to_repeat = repeat(&provenance, translator);
-    Ok(page(&groups, &charts, &provenance, to_repeat, translator))
+    page(groups, charts, &provenance, to_repeat, translator)
 }
 
 /// What a drop adds, if it says anything of the curve.

@@ -20,6 +20,7 @@
 //! | [`link`](mod@link) | a drop as a link and a QR code |
 //! | [`analyst`] | analysis of impacts |
 //! | [`groups`] | the study of many drops |
+//! | [`verdict`](mod@verdict) | drops judged by a rule |
 //! | [`simulator`] | simulated drops and their sound |
 
 #![allow(
@@ -41,4 +42,5 @@ pub mod pyramid;
 pub mod refusal;
 pub mod simulator;
 pub mod spectrogram;
+pub mod verdict;
 pub mod wire;

@@ -13,8 +13,10 @@ use bouncelab::air::Conditions;
 use bouncelab::analysis::{Drop, DropCandidate, ListOrigin, Source, StrongestBand, renumbered};
 use bouncelab::groups::CurveEvidence;
 use bouncelab::inference::Posterior;
+use bouncelab::rulebook::Rule;
 use bouncelab::settings::Settings;
 use bouncelab::{Diagnostic, Impact};
+use bouncelab_report::Chart;
 use bouncelab_report::document::Document;
 use bouncelab_report::figure::DropSummary;
 use bouncelab_report::quantities::{Headline, QuantityList};
@@ -237,8 +239,80 @@ pub struct StudiedDrop {
 pub struct Studied {
     /// The answer in sentences.
     pub lead: Vec<Block>,
-    /// Tables and figures.
+    /// Each drop by its group, and the intervals of the groups; `null` if there is no study.
+    pub figure: Option<Chart>,
+    /// Tables and the other figures.
     pub sections: Vec<Section>,
+}
+
+/// A rule by which drops can be judged.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct RuleChoice {
+    /// What a request hands over.
+    #[cfg_attr(not(target_family = "wasm"), ts(type = "unknown"))]
+    pub rule: Rule,
+    /// Its name.
+    pub name: String,
+    /// Its title, in the language of the request.
+    pub title: String,
+    /// Whether it is for a known ball, which the settings need not state then.
+    pub has_ball: bool,
+    /// Whether it compares with a reference surface.
+    pub needs_reference: bool,
+}
+
+/// Drops that are to be judged by a rule.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct VerdictRequest {
+    /// The rule.
+    #[cfg_attr(not(target_family = "wasm"), ts(type = "unknown"))]
+    pub rule: Rule,
+    /// What was kept of its procedure, of the [parts that a person states](Judged::stated).
+    pub kept: Vec<String>,
+    /// Ball, air, gravity and other settings of all drops.
+    pub settings: Settings,
+    /// The drops on the surface.
+    pub surface: Vec<JudgedPlace>,
+    /// Those on the reference surface, for a rule that compares.
+    pub reference: Vec<JudgedPlace>,
+    /// The day on which a report is made, if it states one.
+    pub made: Option<String>,
+}
+
+/// A place of a surface.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct JudgedPlace {
+    /// What it is called.
+    pub name: String,
+    /// Where the times come from.
+    pub source: Source,
+    /// Its drops.
+    pub drops: Vec<DropMarks>,
+}
+
+/// A verdict.
+#[derive(Debug, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct Judged {
+    /// The verdict in sentences, and its figure.
+    pub lead: Vec<Block>,
+    /// What it rests on.
+    pub sections: Vec<Section>,
+    /// The parts of the procedure that neither a recording nor a setting shows.
+    pub stated: Vec<StatedPart>,
+}
+
+/// A part of a procedure that a person states to have been kept.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct StatedPart {
+    /// Its name in requests.
+    pub name: &'static str,
+    /// What the rule asks, in the language of the request.
+    pub label: String,
 }
 
 /// A figure as a picture, and as data.

@@ -1,3 +1,4 @@
+import { Fragment } from 'preact';
 import { Figure } from '../chart/Figure.tsx';
 import type { Block, Section, Table } from '../lab/index.ts';
 
@@ -37,6 +38,18 @@ function One({ block }: { readonly block: Block }) {
   if ('Text' in block) return <p>{block.Text}</p>;
   if ('Note' in block) return <p class="notice">{block.Note}</p>;
   if ('Table' in block) return <OneTable {...block.Table} />;
+  if ('Facts' in block) {
+    return (
+      <dl class="facts">
+        {block.Facts.map(([name, value]) => (
+          <Fragment key={name}>
+            <dt>{name}</dt>
+            <dd>{value}</dd>
+          </Fragment>
+        ))}
+      </dl>
+    );
+  }
   if ('Figure' in block) return <Figure chart={block.Figure.chart} />;
   if ('List' in block) {
     return (

@@ -4,9 +4,9 @@ import { useEffect } from 'preact/hooks';
 import { broken, messageOf } from '../state/engine.ts';
 
 /** A view whose code is loaded when it is first shown, so that the page itself loads less. */
-export function later(load: () => Promise<ComponentType>): ComponentType {
-  const loaded = signal<{ readonly View: ComponentType } | null>(null);
-  return function Later() {
+export function later<P extends object>(load: () => Promise<ComponentType<P>>): ComponentType<P> {
+  const loaded = signal<{ readonly View: ComponentType<P> } | null>(null);
+  return function Later(properties: P) {
     useEffect(() => {
       load().then(
         (View) => {
@@ -17,6 +17,6 @@ export function later(load: () => Promise<ComponentType>): ComponentType {
         },
       );
     }, []);
-    return loaded.value && <loaded.value.View />;
+    return loaded.value && <loaded.value.View {...properties} />;
   };
 }

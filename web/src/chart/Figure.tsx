@@ -23,21 +23,28 @@ export function Figure({ chart, see, numbers = false }: FigureProps) {
 }
 
 /** What the engine gives for a question, again for each language; the last answer stays until the next. */
-export function useAnswer<T>(ask: () => Promise<T>, of: unknown): T | undefined {
-  const [answer, setAnswer] = useState<T>();
-  const question = JSON.stringify(of);
+export const useAnswer = <T,>(ask: () => Promise<T>, of: unknown): T | undefined =>
+  useLatest(ask, of).answer;
+
+/** The same, and whether it is the answer to this question. */
+export function useLatest<T>(
+  ask: () => Promise<T>,
+  of: unknown,
+): { readonly answer: T | undefined; readonly isCurrent: boolean } {
   const { code } = messages.value;
+  const question = JSON.stringify([of, code]);
+  const [{ answer, answered }, setAnswer] = useState<{ answer?: T; answered?: string }>({});
   useEffect(() => {
     let current = true;
     ask().then(
       (found) => {
-        if (current) setAnswer(found);
+        if (current) setAnswer({ answer: found, answered: question });
       },
       () => undefined,
     );
     return () => {
       current = false;
     };
-  }, [question, code]);
-  return answer;
+  }, [question]);
+  return { answer, isCurrent: answered === question };
 }

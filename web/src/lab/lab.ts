@@ -10,10 +10,12 @@ import type {
   DropLink,
   DropMarks,
   Gap,
+  Judged,
   LinkedDrop,
   PaperDocument,
   PuzzleAnswer,
   PuzzleChoice,
+  RuleChoice,
   SceneRequest,
   Settings,
   SimulationDocument,
@@ -22,6 +24,7 @@ import type {
   SoFar,
   Studied,
   StudyRequest,
+  VerdictRequest,
 } from './engine/types.ts';
 import { LabError } from './error.ts';
 import {
@@ -259,6 +262,21 @@ export class Lab {
   /** The impacts as CSV, as the program writes them. */
   csv(request: AnalysisRequest): Promise<string> {
     return this.#back.call('csv', { request });
+  }
+
+  /** The rules by which drops can be judged. */
+  rules(): Promise<RuleChoice[]> {
+    return this.#alone(true, undefined, (connection) => connection.call('rules', {}));
+  }
+
+  /** Judges drops by a rule. */
+  judge(request: VerdictRequest): Promise<Judged> {
+    return this.#back.call('judge', { request });
+  }
+
+  /** The report of a verdict as one HTML file. */
+  verdictReport(request: VerdictRequest): Promise<string> {
+    return this.#back.call('verdictReport', { request });
   }
 
   /** A drop as a link and a QR code, for a page at this address, which ends where the drop begins. */

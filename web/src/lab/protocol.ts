@@ -9,11 +9,13 @@ import type {
   DropLink,
   Gap,
   Impact,
+  Judged,
   LinkedDrop,
   PaperDocument,
   PuzzleAnswer,
   PuzzleChoice,
   RecordingResult,
+  RuleChoice,
   SceneRequest,
   SimulationDocument,
   SimulationRequest,
@@ -21,6 +23,7 @@ import type {
   SoFar,
   Studied,
   StudyRequest,
+  VerdictRequest,
 } from './engine/types.ts';
 import type { LabRefusal } from './error.ts';
 
@@ -121,6 +124,9 @@ export interface Calls {
     response: string;
   };
   csv: { request: { request: AnalysisRequest }; response: string };
+  rules: { request: Record<never, never>; response: RuleChoice[] };
+  judge: { request: { request: VerdictRequest }; response: Judged };
+  verdictReport: { request: { request: VerdictRequest }; response: string };
   dropLink: { request: { drop: LinkedDrop; page: string }; response: DropLink };
   qrCode: { request: { address: string }; response: DropLink };
   readQrCode: { request: { grey: Uint8Array; width: number }; response: string | null };

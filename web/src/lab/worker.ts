@@ -156,6 +156,16 @@ const handlers: Handlers = {
     response: analyst().csv(JSON.stringify(request), translator),
   }),
 
+  rules: (_, { messages: { code, sources } }) => ({
+    response: JSON.parse(decoding.rules(code, [...sources])),
+  }),
+  judge: ({ request }, { translator }) => ({
+    response: JSON.parse(analyst().judge(JSON.stringify(request), translator)),
+  }),
+  verdictReport: ({ request }, { translator }) => ({
+    response: analyst().verdictReport(JSON.stringify(request), translator),
+  }),
+
   dropLink: ({ drop, page }) => ({
     response: JSON.parse(decoding.dropLink(JSON.stringify(drop), page)),
   }),

@@ -21,7 +21,7 @@ const files = import.meta.glob<string>(
   [
     '../../../crates/bouncelab-report/messages/*/*.ftl',
     '!../../../crates/bouncelab-report/messages/en/*.ftl',
-    '!../../../crates/bouncelab-report/messages/*/{rules,sheets,terminal}.ftl',
+    '!../../../crates/bouncelab-report/messages/*/{sheets,terminal}.ftl',
   ],
   { query: '?raw', import: 'default' },
 );

@@ -287,20 +287,15 @@ pub(crate) fn setup_of_rule(
     rule: &Rule,
     resolve: impl FnOnce(&Settings) -> Result<Setup, Failure>,
 ) -> Result<Setup, Failure> {
-    let mut settings = settings.clone();
-    let unstated = settings.ball.kind.is_none() && settings.ball.mass_kg.is_none();
-    if unstated {
-        settings.ball.kind.clone_from(&rule.ball);
-    }
-    if unstated && rule.ball.is_none() {
-        return Err(Failure::Usage(format!(
-            "the rule {} names no known ball: state it with --ball, or with --mass and \
-             --diameter",
+    let no_ball = || {
+        Failure::Usage(format!(
+            "the rule {} names no known ball: state it with --ball, or with --mass and --diameter",
             rule.name
-        )));
-    }
+        ))
+    };
+    let (settings, is_its_ball) = settings.with_ball_of(rule).ok_or_else(no_ball)?;
     let mut setup = resolve(&settings)?;
-    setup.assume(rule, unstated);
+    setup.assume(rule, is_its_ball);
     Ok(setup)
 }
 

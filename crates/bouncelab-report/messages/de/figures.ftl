@@ -209,6 +209,7 @@ figure-waveform-uncertain = unsicherer Aufprall
 
 figure-drop-impacts-title = Die Stoßzahl jedes Aufpralls, Versuch für Versuch
 figure-drop-impacts-caption = Die Luft ist herausgerechnet. Versuche mit einem Ball auf einem Untergrund sollten auf einer Linie liegen.
+figure-drop-impacts-more = Die letzten { $shown } von { $all } Versuchen sind zu sehen.
 figure-drop-impacts-empty = Hier gibt es keinen Aufprall mit bekannter Stoßzahl.
 
 figure-drops-title = Die Stoßzahl jedes Versuchs

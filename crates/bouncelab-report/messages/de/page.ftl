@@ -94,11 +94,20 @@ page-rest-speech = Ergebnis vorlesen
 page-rest-vibration = Vibrieren
 page-rest-plus-minus = plus oder minus
 
-page-words-title = Was bedeuten diese Wörter?
 page-words-restitution = Die Stoßzahl ist die Geschwindigkeit gleich nach einem Aufprall geteilt durch die gleich davor: 90 % heißt, dass der Ball ein Zehntel seiner Geschwindigkeit verliert.
-page-words-energy = Die Energie wächst mit dem Quadrat der Geschwindigkeit: Ein Ball, der 90 % seiner Geschwindigkeit behält, behält 81 % seiner Energie.
+page-words-bounce-energies = Die Energie wächst mit dem Quadrat der Geschwindigkeit: Ein Ball, der 90 % seiner Geschwindigkeit behält, behält 81 % seiner Energie.
 page-words-height = Die Fallhöhe wird aus den Zeiten zwischen den Aufprallen berechnet. Die Kurve zeigt, wie hoch der Ball nach jedem gestiegen ist.
 page-words-uncertainty = ± ist die Standardunsicherheit: Mit etwa zwei Dritteln Wahrscheinlichkeit liegt der wahre Wert darin, mit 95 % im Doppelten davon.
+page-words-flight-times = Ein Flug ist die Zeit von einem Aufprall zum nächsten. Ohne Luft und mit gleicher Stoßzahl bei jedem Tempo dauerte jeder denselben Bruchteil des vorigen.
+page-words-bounce-heights = Wie hoch der Ball nach jedem Aufprall gestiegen ist, berechnet aus der Zeit bis zum nächsten.
+page-words-comparison = Die Höhe des Balls, wie das Modell sie berechnet, und wie du sie simuliert hast: Wo sie abweichen, ist eines von beiden falsch.
+page-words-posterior = Die A-posteriori-Verteilung ist, was man nach der Messung weiß: wie wahrscheinlich jeder Wert ist, nach den Zeiten der Aufpralle und dem, was vorher bekannt war.
+page-words-residuals = Ein Residuum ist die gemessene Zeit eines Aufpralls minus die des Modells. Sie sollten ohne Muster streuen.
+page-words-budget = Das Messunsicherheitsbudget nennt die Quellen der Unsicherheit und den Anteil einer jeden. Wer es genauer wissen will, beginnt bei der größten.
+page-words-models = Ein Gesetz sagt, wie die Stoßzahl vom Tempo abhängt. Jedes wird danach gewichtet, wie gut es die Zeiten der Aufpralle vorhersagt.
+page-words-truncation = Die Antwort aus den ersten zwei Flügen, aus drei, und so weiter. Sie sollte nicht von der Zahl der Flüge abhängen.
+page-words-drag = Der Luftwiderstand ist die Kraft der Luft gegen die Bewegung. Er wächst etwa mit dem Quadrat des Tempos.
+page-words-drag-log = Dasselbe auf Achsen, auf denen jeder Schritt ein Faktor ist: Eine Potenz des Tempos ist dort eine Gerade.
 
 page-faults-refused-what = Der Browser darf das Mikrofon nicht benutzen.
 page-faults-refused-do = Erlaube es in der Adressleiste (Schloss oder Mikrofon) und tippe noch einmal auf „Zuhören“. Auf dem Handy sieh auch in den Einstellungen der Browser-App nach. Du kannst stattdessen eine Aufnahme öffnen.
@@ -463,6 +472,14 @@ page-class-sheets = Arbeitsblätter
 page-class-sheet-bounciness = Wie gut springt ein Ball?
 page-class-sheet-air = Wie viel nimmt die Luft?
 page-class-sheet-gravity = Miss g mit einem Ball
+
+page-verdict-title = Nach einer Regel beurteilen
+page-verdict-rule = Regel
+page-verdict-reference = Vergleichsuntergrund
+page-verdict-kept = Eingehalten, nach deiner Angabe:
+page-verdict-ball = Die Regel nennt keinen Ball: Wähle ihn zuerst.
+page-verdict-unlike = Diese Versuche haben verschiedene Bälle oder andere Einstellungen. Wähle die mit einem Ball aus.
+page-verdict-report = Urteil speichern (HTML)
 
 page-lesson-title = Was du fallen lässt
 page-lesson-name = Dein Name

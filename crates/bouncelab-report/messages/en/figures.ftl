@@ -211,6 +211,7 @@ figure-waveform-uncertain = uncertain impact
 
 figure-drop-impacts-title = Restitution of each impact, drop by drop
 figure-drop-impacts-caption = Corrected for drag. Drops of one ball on one surface should lie on one line.
+figure-drop-impacts-more = The last { $shown } of { $all } drops are shown.
 figure-drop-impacts-empty = There are no impacts with a known restitution.
 
 figure-drops-title = Restitution of each drop

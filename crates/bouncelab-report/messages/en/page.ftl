@@ -96,11 +96,20 @@ page-rest-speech = Speak the answer
 page-rest-vibration = Vibrate
 page-rest-plus-minus = plus or minus
 
-page-words-title = What do these words mean?
 page-words-restitution = Restitution is the speed just after an impact over the speed just before it: 90 % means that the ball loses a tenth of its speed.
-page-words-energy = Energy grows with the square of the speed: a ball that keeps 90 % of its speed keeps 81 % of its energy.
+page-words-bounce-energies = Energy grows with the square of the speed: a ball that keeps 90 % of its speed keeps 81 % of its energy.
 page-words-height = The drop height is computed from the times between the impacts. The curve shows how high the ball rose after each of them.
 page-words-uncertainty = ± is the standard uncertainty: with a probability of about two thirds the true value lies within it, with 95 % within twice of it.
+page-words-flight-times = A flight is the time from one impact to the next. Without air and with the same restitution at every speed, each would last the same part of the one before.
+page-words-bounce-heights = How high the ball rose after each impact, computed from the time until the next one.
+page-words-comparison = The height of the ball as the model computes it, and as you simulated it: where they differ, one of them is wrong.
+page-words-posterior = The posterior is what is known after the measurement: how probable each value is, given the impact times and what was known before.
+page-words-residuals = A residual is the measured time of an impact minus that of the model. They should scatter without a pattern.
+page-words-budget = The budget of uncertainty lists its sources and the share of each. To know the answer better, begin with the largest.
+page-words-models = A law says how the restitution depends on the speed. Each is weighed by how well it predicts the impact times.
+page-words-truncation = The answer from the first two flights, three, and so on. It should not change with their number.
+page-words-drag = Drag is the force of the air against the motion. It grows about with the square of the speed.
+page-words-drag-log = The same on axes on which each step is a factor: a power of the speed is a straight line.
 
 page-faults-refused-what = The browser may not use the microphone.
 page-faults-refused-do = Allow it in the address bar (the lock or microphone sign) and tap Listen again. On a phone, also look into the settings of the browser app. You can open a recording instead.
@@ -465,6 +474,14 @@ page-class-sheets = Lesson sheets
 page-class-sheet-bounciness = How bouncy is a ball?
 page-class-sheet-air = How much does air take?
 page-class-sheet-gravity = Measure g with a ball
+
+page-verdict-title = Judge by a rule
+page-verdict-rule = Rule
+page-verdict-reference = Reference surface
+page-verdict-kept = Kept, as you state:
+page-verdict-ball = The rule names no ball: choose it first.
+page-verdict-unlike = These drops have different balls or other settings. Tick those of one ball.
+page-verdict-report = Save the verdict (HTML)
 
 page-lesson-title = What you drop
 page-lesson-name = Your name

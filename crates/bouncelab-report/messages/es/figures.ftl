@@ -210,6 +210,7 @@ figure-waveform-uncertain = impacto dudoso
 
 figure-drop-impacts-title = Restitución de cada impacto, ensayo por ensayo
 figure-drop-impacts-caption = Corregida por arrastre. Los ensayos de una pelota sobre una superficie deberían quedar en una sola línea.
+figure-drop-impacts-more = Se muestran los últimos { $shown } de { $all } ensayos.
 figure-drop-impacts-empty = No hay impactos de restitución conocida.
 
 figure-drops-title = Restitución de cada ensayo

@@ -97,11 +97,20 @@ page-rest-speech = Decir el resultado
 page-rest-vibration = Vibrar
 page-rest-plus-minus = más o menos
 
-page-words-title = ¿Qué significan estas palabras?
 page-words-restitution = La restitución es la velocidad justo después de un impacto dividida por la de justo antes: el 90 % significa que la pelota pierde una décima parte de su velocidad.
-page-words-energy = La energía crece con el cuadrado de la velocidad: una pelota que conserva el 90 % de su velocidad conserva el 81 % de su energía.
+page-words-bounce-energies = La energía crece con el cuadrado de la velocidad: una pelota que conserva el 90 % de su velocidad conserva el 81 % de su energía.
 page-words-height = La altura de caída se calcula a partir de los tiempos entre los impactos. La curva muestra hasta dónde subió la pelota después de cada uno.
 page-words-uncertainty = ± es la incertidumbre típica: el valor verdadero está dentro con una probabilidad de unos dos tercios, y dentro del doble con el 95 %.
+page-words-flight-times = Un vuelo es el tiempo de un impacto al siguiente. Sin aire y con la misma restitución a toda velocidad, cada uno duraría la misma fracción del anterior.
+page-words-bounce-heights = Hasta dónde subió la pelota después de cada impacto, calculado con el tiempo hasta el siguiente.
+page-words-comparison = La altura de la pelota según el modelo y según tu simulación: donde difieren, una de las dos es falsa.
+page-words-posterior = La distribución a posteriori es lo que se sabe después de medir: la probabilidad de cada valor, dados los tiempos de impacto y lo que se sabía antes.
+page-words-residuals = Un residuo es el tiempo medido de un impacto menos el del modelo. Deberían dispersarse sin ningún patrón.
+page-words-budget = El balance de incertidumbre muestra sus fuentes y la parte de cada una. Para saber más, empieza por la mayor.
+page-words-models = Una ley dice cómo depende la restitución de la velocidad. Cada una pesa según lo bien que predice los tiempos de impacto.
+page-words-truncation = La respuesta con los dos primeros vuelos, con tres, etc. No debería cambiar con su número.
+page-words-drag = El arrastre es la fuerza del aire contra el movimiento. Crece aproximadamente con el cuadrado de la velocidad.
+page-words-drag-log = Lo mismo en ejes en los que cada paso es un factor: una potencia de la velocidad es una recta.
 
 page-faults-refused-what = El navegador no puede usar el micrófono.
 page-faults-refused-do = Permítelo en la barra de direcciones (candado o micrófono) y toca «Escuchar» otra vez. En un teléfono, mira también los ajustes de la aplicación del navegador. En su lugar puedes abrir una grabación.
@@ -466,6 +475,14 @@ page-class-sheets = Hojas de trabajo
 page-class-sheet-bounciness = ¿Cuánto rebota una pelota?
 page-class-sheet-air = ¿Cuánto se lleva el aire?
 page-class-sheet-gravity = Medir g con una pelota
+
+page-verdict-title = Evaluar según una regla
+page-verdict-rule = Regla
+page-verdict-reference = Superficie de referencia
+page-verdict-kept = Cumplido, según lo que indicas:
+page-verdict-ball = La regla no indica ninguna pelota: elígela primero.
+page-verdict-unlike = Estos ensayos tienen pelotas u otros ajustes distintos. Marca los de una sola pelota.
+page-verdict-report = Guardar el veredicto (HTML)
 
 page-lesson-title = Lo que dejas caer
 page-lesson-name = Tu nombre

@@ -210,6 +210,7 @@ figure-waveform-uncertain = impact incertain
 
 figure-drop-impacts-title = Restitution de chaque impact, essai par essai
 figure-drop-impacts-caption = Corrigée de la traînée. Les essais d’une même balle sur une même surface devraient suivre une même ligne.
+figure-drop-impacts-more = Les { $shown } derniers essais sur { $all } sont montrés.
 figure-drop-impacts-empty = Aucun impact n’a une restitution connue.
 
 figure-drops-title = Restitution de chaque essai

@@ -97,11 +97,20 @@ page-rest-speech = Dire le résultat
 page-rest-vibration = Vibrer
 page-rest-plus-minus = plus ou moins
 
-page-words-title = Que veulent dire ces mots ?
 page-words-restitution = La restitution est la vitesse juste après un impact divisée par celle juste avant : 90 % veut dire que la balle perd un dixième de sa vitesse.
-page-words-energy = L’énergie croît avec le carré de la vitesse : une balle qui garde 90 % de sa vitesse garde 81 % de son énergie.
+page-words-bounce-energies = L’énergie croît avec le carré de la vitesse : une balle qui garde 90 % de sa vitesse garde 81 % de son énergie.
 page-words-height = La hauteur de chute est calculée à partir des durées entre les impacts. La courbe montre jusqu’où la balle est montée après chacun.
 page-words-uncertainty = ± est l’incertitude-type : la vraie valeur s’y trouve avec une probabilité d’environ deux tiers, et dans le double avec 95 %.
+page-words-flight-times = Un vol est le temps d’un impact au suivant. Sans air et avec la même restitution à toute vitesse, chacun durerait la même fraction du précédent.
+page-words-bounce-heights = Jusqu’où la balle est montée après chaque impact, calculé d’après le temps jusqu’au suivant.
+page-words-comparison = La hauteur de la balle d’après le modèle et d’après ta simulation : là où elles diffèrent, l’une des deux est fausse.
+page-words-posterior = La loi a posteriori est ce qu’on sait après la mesure : la probabilité de chaque valeur, d’après les temps d’impact et ce qu’on savait avant.
+page-words-residuals = Un résidu est le temps mesuré d’un impact moins celui du modèle. Ils devraient se disperser sans motif.
+page-words-budget = Le bilan d’incertitude montre ses sources et la part de chacune. Pour en savoir plus, commence par la plus grande.
+page-words-models = Une loi dit comment la restitution dépend de la vitesse. Chacune pèse selon la qualité de sa prédiction des temps d’impact.
+page-words-truncation = La réponse avec les deux premiers vols, avec trois, etc. Elle ne devrait pas changer avec leur nombre.
+page-words-drag = La traînée est la force de l’air contre le mouvement. Elle croît à peu près avec le carré de la vitesse.
+page-words-drag-log = La même chose sur des axes où chaque pas est un facteur : une puissance de la vitesse est une droite.
 
 page-faults-refused-what = Le navigateur n’a pas le droit d’utiliser le microphone.
 page-faults-refused-do = Autorise-le dans la barre d’adresse (cadenas ou microphone) et touche « Écouter » à nouveau. Sur un téléphone, vois aussi les réglages de l’application du navigateur. Tu peux ouvrir un enregistrement à la place.
@@ -466,6 +475,14 @@ page-class-sheets = Fiches de travail
 page-class-sheet-bounciness = Comment une balle rebondit-elle ?
 page-class-sheet-air = Quel est l’effet de l’air ?
 page-class-sheet-gravity = Mesurer g avec une balle
+
+page-verdict-title = Juger selon une règle
+page-verdict-rule = Règle
+page-verdict-reference = Surface de référence
+page-verdict-kept = Respecté, d’après toi :
+page-verdict-ball = La règle ne nomme pas de balle : choisis-la d’abord.
+page-verdict-unlike = Ces essais ont des balles ou d’autres réglages différents. Coche ceux d’une seule balle.
+page-verdict-report = Enregistrer le verdict (HTML)
 
 page-lesson-title = Ce que tu fais tomber
 page-lesson-name = Ton nom

@@ -41,8 +41,8 @@ analyze-no-drop = { $name } : aucun essai trouvé : { $reason }
 analyze-detecting = détection { $bar } { $done } s, reste { $left }
 analyze-inferring = inférence à partir de { $impacts } impacts (--no-inference l’omet)
 analyze-one-report = un rapport porte sur un enregistrement, et plusieurs ont été donnés ; bouncelab session fait un rapport sur plusieurs
-analyze-cues-of-file = --cues copie un enregistrement : il faut un fichier au lieu de l’entrée standard
-analyze-input-too-long = l’entrée standard dépasse 1 Gio, gardé en mémoire ; enregistre-la dans un fichier
+analyze-cues-of-file = --cues copie un enregistrement : il faut un fichier au lieu de l’entrée standard
+analyze-input-too-long = l’entrée standard dépasse 1 Gio, gardé en mémoire ; enregistre-la dans un fichier
 analyze-one-labelled = étiquettes, marqueurs et mouvement sont d’un seul enregistrement, et plusieurs ont été donnés ; donnes-en un à la fois
 analyze-cues-need-sound = { $name } est une liste de temps, sans son à marquer ; --format audacity ou textgrid écrit des étiquettes
 
@@ -102,56 +102,6 @@ puzzle-printed = imprimé
 puzzle-computed = calculé
 puzzle-verdict = verdict
 
-verdict-because = Parce que : { $reason }
-verdict-conforms = conforme
-verdict-conforms-as-far-as-shown = conforme pour ce qui est démontré
-verdict-does-not-conform = non conforme
-verdict-cannot-decide = non concluant
-verdict-sure = { $outcome }. Dans les limites avec une probabilité de { $within } ; une acceptation serait fausse avec { $outside }.
-verdict-guarded = Règle de décision : acceptation avec bande de garde, risque d’une décision fausse d’au plus { $risk } (JCGM 106).
-verdict-simple = Règle de décision : acceptation simple, l’issue la plus probable (JCGM 106).
-verdict-accepted = Avec cette incertitude, { $accepted } serait conforme.
-verdict-more-than = plus de { $share }
-verdict-less-than = moins de { $share }
-verdict-from = { $least } et plus
-verdict-up-to = { $greatest } et moins
-verdict-anything = tout
-verdict-on-reference = Sur la référence :
-verdict-rebound = rebond
-verdict-value = valeur
-verdict-by-procedure = d’après la procédure de la règle
-verdict-by-model = d’après le modèle, de tous les impacts
-verdict-height = hauteur
-verdict-model = modèle
-verdict-budget = Bilan d’incertitude de la moyenne
-verdict-budget-reference = Le même sur la référence
-verdict-budget-why = Les corrections sont celles de g T²/8, qui prend tout le temps entre deux impacts pour un vol dans le vide ; si la règle donne une formule, il n’y en a pas. Les incertitudes types s’ajoutent quadratiquement (JCGM 100) ; l’intervalle à 95 % a les degrés de liberté effectifs.
-verdict-correction = correction cm
-verdict-standard-uncertainty = incertitude type cm
-verdict-degrees = degrés de liberté
-verdict-combined = composée
-verdict-cause-gravity = pesanteur du lieu
-verdict-cause-release = hauteur de chute
-verdict-cause-times = temps des impacts
-verdict-cause-scatter = dispersion des essais, avec leurs temps
-verdict-cause-assumed-scatter = dispersion des impacts individuels, supposée
-verdict-procedure = La procédure
-verdict-asked = la règle
-verdict-here = ici
-verdict-kept = respecté
-verdict-not-kept = non respecté
-verdict-not-shown = non démontré
-verdict-item = élément
-verdict-item-release = hauteur de chute
-verdict-item-surface = surface
-verdict-item-reference = surface de référence
-verdict-item-temperature = température
-verdict-item-humidity = humidité
-verdict-item-altitude = altitude
-verdict-item-conditioning = conditionnement
-verdict-item-drops = nombre d’essais
-verdict-item-reference-drops = essais sur la référence
-verdict-item-places = nombre d’emplacements
 test-heading = Rapport d’essai
 test-title = Rapport d’essai { $number }
 test-number = numéro
@@ -184,82 +134,13 @@ job-so-far = Jusqu'ici { $value }. { $outcome }
 job-microphone = microphone
 job-no-drop-added = Aucun essai n'a été ajouté à la commande.
 job-damaged = { $count ->
-    [one] Une ligne de { $file } est endommagée et ne compte pas ; `bouncelab job show` nomme chaque son sans ligne.
-   *[other] { $count } lignes de { $file } sont endommagées et ne comptent pas ; `bouncelab job show` nomme chaque son sans ligne.
+    [one] Une ligne de { $file } est endommagée et ne compte pas ; `bouncelab job show` nomme chaque son sans ligne.
+   *[other] { $count } lignes de { $file } sont endommagées et ne comptent pas ; `bouncelab job show` nomme chaque son sans ligne.
 }
-job-uncounted = { $file } est conservé mais ne compte pas : il n'a pas été inscrit, comme après une interruption. Si son essai est complet, { $command } le compte.
-verdict-reference = sur la référence
-verdict-share = part de la référence
-verdict-unevenness = inégalité des emplacements
-verdict-plain = g T²/8 du premier vol
-verdict-reason = dû à
-verdict-file = fichier
-verdict-first-flight = premier vol s
-verdict-cause-contact = durée de contact, qui n’est pas un vol
-verdict-cause-buoyancy = poussée d’Archimède et masse ajoutée de l’air
-verdict-cause-drag = traînée pendant le vol
-verdict-rule-line = chute de { $drop }{ $surface ->
-    [none] {""}
-   *[other] {" "}(surface : { $surface })
-  } ; rebond exigé : { $wanted } ; mesuré au { $point } de la balle
-verdict-the-rule = La règle
-verdict-ways = Le rebond d’après chaque méthode
-verdict-the-rebound = Le rebond
-verdict-drops = Les essais
-verdict-every-drop = Chaque essai
-verdict-every-reference-drop = Chaque essai sur la référence
-verdict-all-drops = tous les essais
-verdict-method = Décision
-verdict-method-predicted = Le verdict porte sur le résultat de la procédure que la règle indique : la hauteur du premier rebond, d’après la formule de la règle ou, si la règle mesure la hauteur même, d’après le temps entre les deux premiers impacts sans le contact, avec la poussée, la masse ajoutée et la traînée. Le modèle prédit le même rebond d’après tous les impacts, et figure à côté.
-verdict-method-decided = Acceptation avec bande de garde (JCGM 106:2012, The role of measurement uncertainty in conformity assessment ; ILAC-G8:09/2019) : la conformité n’est déclarée que si la probabilité d’être hors des limites est au plus le risque indiqué, et la non-conformité que si celle d’être dans les limites l’est. Sinon, les essais ne permettent pas de décider. Conforme pour ce qui est démontré : ni les enregistrements ni les indications ne montrent que toute la procédure a été suivie.
+job-uncounted = { $file } est conservé mais ne compte pas : il n'a pas été inscrit, comme après une interruption. Si son essai est complet, { $command } le compte.
 
 balls-numbers = { $ball }, contact { $contact }
 balls-words = aussi : { $words }
-
-rule-name = nom
-rule-title = règle
-rule-sport = de
-rule-source = source
-rule-status = état
-rule-read-primary = vérifiée : son texte a été lu
-rule-read-secondary = source secondaire
-rule-read-memory = de mémoire
-rule-address = adresse
-rule-checked = lue le
-rule-conditioning = conditionnement
-rule-humidity = humidité
-rule-rounded = arrondi à
-rule-places-least = { $count } ou plus
-rule-ball = balle
-rule-surface = surface
-rule-drop = chute
-rule-wants = exige
-rule-measured-at = point de mesure
-rule-point = { $point } de la balle
-rule-point-bottom = bas
-rule-point-centre = centre
-rule-point-top = sommet
-rule-point-not-noted = non indiqué ; le bas de la balle est pris
-rule-drops = essais
-rule-drops-mean = { $count } ou plus ; leur moyenne compte
-rule-drops-each = { $count } ou plus ; chacun doit être conforme
-rule-places = emplacements
-rule-temperature = température
-rule-altitude = altitude
-rule-formula = formule
-rule-formula-text = H = { $factor } (T - { $offset })² en m et s, T du premier impact au deuxième ({ $read })
-rule-note = note
-rule-any-height = toute hauteur
-rule-or-more = { $height } ou plus
-rule-about = environ { $height }
-rule-share-of = part de celui sur la référence ({ $surface })
-rule-limits-of = { $limits } de celui sur la référence ({ $surface })
-rule-share-of-reference = part d’une référence
-rule-limits-of-reference = { $limits } d’une référence
-rule-within-of-mean = chaque emplacement à { $share } % près de la moyenne
-rule-places-apart = emplacements écartés d’au plus { $share } points
-rule-at-least = au moins { $least }
-rule-at-most = au plus { $greatest }
 
 listen-begins = écoute de { $source }, { $rate } kHz, { $channels ->
     [one] { $channels } voie

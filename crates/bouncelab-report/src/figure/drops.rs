@@ -57,7 +57,12 @@ pub fn drop_impacts(drops: &[DropSummary], translator: &Translator) -> Chart {
     let speeds = Scale::linear(xs(&layers).chain([0.0])).padded(0.0, 0.04);
     let x = Axis::new(translator.text("axis-impact-speed"), "m/s", speeds);
     let y = restitution_axis(&layers, translator);
-    let caption = translator.text("figure-drop-impacts-caption");
+    let mut caption = translator.text("figure-drop-impacts-caption");
+    if shown.len() < drops.len() {
+        let counts = [("shown", shown.len().into()), ("all", drops.len().into())];
+        caption.push(' ');
+        caption.push_str(&translator.text_with("figure-drop-impacts-more", &counts));
+    }
     Chart::new(
         translator,
         id,

@@ -13,7 +13,7 @@ use crate::table::Table;
 const MAX_HEIGHTS: usize = 60;
 
 /// The page of many drops: the groups in sentences, tables and figures, problems of recordings, what was
-/// assumed, the method, and how to repeat it. The charts are its [`figures`](super::figures()).
+/// assumed, the method, and how to repeat it. The charts are its [`figures`](super::figures()), all or some of them.
 pub fn page(
     groups: &GroupStudy,
     charts: &[(&'static str, Chart)],
@@ -93,12 +93,10 @@ fn of_study(
     charts: &[(&'static str, Chart)],
     translator: &Translator,
 ) -> Vec<Section> {
-    let mut charts = charts.iter();
-    let mut figure = || {
-        let (name, chart) = charts.next()?;
+    let figure = |wanted: &str| {
+        let (name, chart) = charts.iter().find(|(name, _)| *name == wanted)?;
         Some(Block::figure(*name, chart.clone()))
     };
-    let (laws, intervals, run) = (figure(), figure(), figure());
     let tabled = |id: &str, table: Table| {
         (!table.is_empty()).then(|| Block::table(translator.text(id), table))
     };
@@ -125,13 +123,13 @@ fn of_study(
                     "session-scatter-table",
                     tables::scatter_table(groups, study, translator),
                 ),
-                intervals,
+                figure("intervals"),
             ],
         ),
         section(
             "session-against-speed",
             vec![
-                laws,
+                figure("groups"),
                 tabled(
                     "session-curve-table",
                     tables::curve_table(groups, study, translator),
@@ -153,7 +151,7 @@ fn of_study(
                     .filter(|_| study.drops.len() <= MAX_HEIGHTS),
             ],
         ),
-        section("session-in-order", vec![run]),
+        section("session-in-order", vec![figure("run")]),
     ]
 }
 

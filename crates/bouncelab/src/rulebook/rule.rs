@@ -119,7 +119,7 @@ impl fmt::Display for Point {
 
 /// The least and the greatest value that a rule allows; an end that is open allows anything.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Limits {
     /// The least.
     pub least: Option<f64>,
@@ -196,7 +196,7 @@ impl Limits {
 
 /// What a rule wants of the rebound.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Requirement {
     /// A height, m, of the point at which the rule measures.
     Height(Limits),
@@ -213,7 +213,7 @@ pub enum Requirement {
 
 /// How alike places must be. A place is one recording.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Evenness {
     /// Each place within this share of the mean of all.
     WithinOfMean(f64),
@@ -232,7 +232,7 @@ impl Evenness {
 
 /// Over what a rule averages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Averaging {
     /// The mean over the drops must lie within the limits.
     #[default]
@@ -243,7 +243,7 @@ pub enum Averaging {
 
 /// A rule's own formula from the time T between first and second impact: factor (T - offset)².
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Formula {
     /// In m/s².
     pub factor_m_s2: f64,
@@ -269,7 +269,7 @@ impl Formula {
 
 /// A rule.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Rule {
     /// The name by which it is called: lower-case letters, digits and hyphens.
     pub name: String,

@@ -199,6 +199,16 @@ impl Settings {
         Ok(Diagnostic::new(Code::BallNotStated))
     }
 
+    /// The settings with the ball of a rule where they state none, and whether it is that; `None` if neither has one.
+    pub fn with_ball_of(&self, rule: &Rule) -> Option<(Self, bool)> {
+        let mut settings = self.clone();
+        if settings.ball.kind.is_some() || settings.ball.mass_kg.is_some() {
+            return Some((settings, false));
+        }
+        settings.ball.kind = Some(rule.ball.clone()?);
+        Some((settings, true))
+    }
+
     /// The values that another unit would explain better.
     pub fn questions(&self) -> Vec<Diagnostic> {
         plausibility::of_settings(self)

@@ -62,18 +62,18 @@ function Head({ column, id, figure = false }: { column: Column; id: string; figu
 /** One row for each drop, and their mean and scatter. */
 export function DropTable({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
   return (
-    <section class="scroll" tabIndex={0} aria-label={text('page-drops-title')}>
+    <section class="scroll kept" tabIndex={0} aria-label={text('page-drops-title')}>
       <table class="wide">
         <thead>
           <tr>
             <th>{text('page-drops-compare')}</th>
             <Head column="name" id="page-drops-name" />
-            <Head column="e" id="page-drops-e" figure />
-            <Head column="h" id="page-drops-h" figure />
-            <Head column="when" id="page-drops-when" />
             <Head column="ball" id="page-drops-ball" />
             <Head column="surface" id="page-class-surface" />
+            <Head column="e" id="page-drops-e" figure />
+            <Head column="h" id="page-drops-h" figure />
             <Head column="student" id="page-class-student" />
+            <Head column="when" id="page-drops-when" />
             <th class="figure">{text('page-drops-impacts')}</th>
             <th>{text('page-drops-actions')}</th>
           </tr>
@@ -116,30 +116,19 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
           }}
         />
       </td>
+      <td>
+        <Ball drop={drop} />
+      </td>
+      <Noted drop={drop} field="surface" />
       <td class="figure">{e ? estimated(e.value, e.sd, NUMBER, spoken) : ''}</td>
       <td class="figure">{h ? estimated(h.value, h.sd, LENGTH, spoken) : ''}</td>
-      <td>
+      <Noted drop={drop} field="student" />
+      <td class="when">
         {new Date(drop.keptAt).toLocaleString(region.value, {
           dateStyle: 'short',
           timeStyle: 'short',
         })}
       </td>
-      <td>
-        <Ball drop={drop} />
-      </td>
-      {(['surface', 'student'] as const).map((field) => (
-        <td key={field}>
-          <input
-            class="noted"
-            aria-label={text(`page-class-${field}-of`, { name: drop.name })}
-            value={drop[field]}
-            maxLength={60}
-            onChange={({ currentTarget: { value } }) =>
-              void alter(drop.id, { [field]: value.trim() })
-            }
-          />
-        </td>
-      ))}
       <td class="figure">{drop.marks.impacts.length}</td>
       <td>
         <span class="row tight">
@@ -166,6 +155,26 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
         </span>
       </td>
     </tr>
+  );
+}
+
+interface NotedProps {
+  readonly drop: KeptDrop;
+  readonly field: 'surface' | 'student';
+}
+
+/** What a person writes about a drop. */
+function Noted({ drop, field }: NotedProps) {
+  return (
+    <td>
+      <input
+        class="noted"
+        aria-label={text(`page-class-${field}-of`, { name: drop.name })}
+        value={drop[field]}
+        maxLength={60}
+        onChange={({ currentTarget: { value } }) => void alter(drop.id, { [field]: value.trim() })}
+      />
+    </td>
   );
 }
 
@@ -198,18 +207,18 @@ function Summary({ chosen }: { readonly chosen: readonly KeptDrop[] }) {
   return (
     <tfoot>
       <tr>
-        <th colSpan={2}>
+        <th colSpan={4}>
           {text('page-drops-mean')} {text('page-drops-of-drops', { count: chosen.length })}
         </th>
         <td class="figure">{e && estimated(e.mean, e.meanSd, NUMBER, spoken)}</td>
         <td class="figure">{h && estimated(h.mean, h.meanSd, LENGTH, spoken)}</td>
-        <td colSpan={6} />
+        <td colSpan={4} />
       </tr>
       <tr>
-        <th colSpan={2}>{text('page-drops-scatter')}</th>
+        <th colSpan={4}>{text('page-drops-scatter')}</th>
         <td class="figure">{e?.scatter != null && rounded(e.scatter, 2, NUMBER, spoken)}</td>
         <td class="figure">{h?.scatter != null && rounded(h.scatter, 2, LENGTH, spoken)}</td>
-        <td colSpan={6} />
+        <td colSpan={4} />
       </tr>
     </tfoot>
   );

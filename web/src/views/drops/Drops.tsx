@@ -18,69 +18,85 @@ import { labAddress } from '../../state/settings.ts';
 import { spreadOf } from '../../state/spread.ts';
 import { language, parts, text } from '../../text/language.ts';
 import { Archive } from './Archive.tsx';
-import { Comparison } from './Comparison.tsx';
 import { Bulk, DropTable } from './DropTable.tsx';
 import { saveDropsCsv, saveDropsJson } from './export.ts';
 import { Gather } from './Gather.tsx';
 import { Groups } from './Groups.tsx';
+import { Judged } from './Judged.tsx';
 import { LessonMaker } from './LessonMaker.tsx';
 import { Sheets } from './Sheets.tsx';
 
 /** The drops that were kept, side by side. */
 export function Drops() {
   const chosen = compared.value;
+  const isEmpty = kept.value.length === 0;
   // Another window may have kept one meanwhile.
   useEffect(() => void loadKept(), []);
   return (
     <div class="stack wide drops">
-      <h1>{text('page-drops-title')}</h1>
+      <div class="row">
+        <h1>{text('page-drops-title')}</h1>
+        <LessonMaker />
+      </div>
       {!canKeep.value && <p class="notice">{text('page-drops-unavailable')}</p>}
       <Undo />
-      <LessonMaker />
-      {canKeep.value && <Gather />}
-      {kept.value.length === 0 ? (
-        <>
-          <p class="lead soft">{text('page-drops-empty')}</p>
-          <div>
-            <a class="button primary" href={labAddress.value}>
-              {text('page-drops-to-lab')}
-            </a>
-          </div>
-        </>
-      ) : (
-        <>
-          <Scatter />
-          <DropTable chosen={chosen} />
-          <Bulk />
-          <div class="row">
-            <button type="button" class="quiet" onClick={() => saveDropsCsv(kept.peek())}>
-              {text('page-drops-csv')}
-            </button>
-            <button type="button" class="quiet" onClick={() => saveDropsJson(kept.peek())}>
-              {text('page-drops-json')}
-            </button>
-            <button
-              type="button"
-              class="quiet"
-              onClick={() => {
-                focusPage();
-                void remove(kept.peek());
-              }}
-            >
-              {text('page-drops-delete-all')}
-            </button>
-          </div>
-          <CommaTick />
-          <Archive />
-          <p class="small soft">
-            <Lasting />
-          </p>
-          <Groups drops={chosen} />
-          <Comparison drops={chosen} />
-        </>
-      )}
+      <div class={isEmpty ? 'stack' : 'pairs'}>
+        <div class="stack">
+          {canKeep.value && <Gather />}
+          {isEmpty ? (
+            <>
+              <p class="lead soft">{text('page-drops-empty')}</p>
+              <div>
+                <a class="button primary" href={labAddress.value}>
+                  {text('page-drops-to-lab')}
+                </a>
+              </div>
+            </>
+          ) : (
+            <>
+              <Scatter />
+              <DropTable chosen={chosen} />
+              <Bulk />
+            </>
+          )}
+        </div>
+        {!isEmpty && <Groups drops={chosen} />}
+      </div>
+      {!isEmpty && <Judged drops={chosen} />}
+      {!isEmpty && <Saving />}
       <Sheets />
     </div>
+  );
+}
+
+/** The table as files, and how long the browser keeps it. */
+function Saving() {
+  return (
+    <>
+      <div class="row">
+        <button type="button" class="quiet" onClick={() => saveDropsCsv(kept.peek())}>
+          {text('page-drops-csv')}
+        </button>
+        <button type="button" class="quiet" onClick={() => saveDropsJson(kept.peek())}>
+          {text('page-drops-json')}
+        </button>
+        <button
+          type="button"
+          class="quiet"
+          onClick={() => {
+            focusPage();
+            void remove(kept.peek());
+          }}
+        >
+          {text('page-drops-delete-all')}
+        </button>
+      </div>
+      <CommaTick />
+      <Archive />
+      <p class="small soft">
+        <Lasting />
+      </p>
+    </>
   );
 }
 

@@ -39,7 +39,7 @@ export function Gather() {
     >
       <h2>{text('page-class-add')}</h2>
       <p class="small soft">{text('page-class-add-hint')}</p>
-      <div>
+      <div class="row">
         <FileButton
           label={text('page-class-files-label')}
           disabled={isBusy}
@@ -48,13 +48,13 @@ export function Gather() {
         >
           {text('page-class-files')}
         </FileButton>
+        <Scanner onDrop={(link) => gatherHere([], link)} />
       </div>
-      <Scanner onDrop={(link) => gatherHere([], link)} />
       <label class="field" for="links">
         {text('page-drops-links')}
       </label>
-      <textarea id="links" ref={box} required spellcheck={false} />
-      <div>
+      <div class="row tight ways">
+        <textarea id="links" ref={box} required spellcheck={false} />
         <button type="submit" class="button" disabled={isBusy}>
           {text('page-drops-links-do')}
         </button>

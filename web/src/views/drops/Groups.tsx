@@ -1,11 +1,12 @@
 import { useEffect, useState } from 'preact/hooks';
 import { Blocks, Sections } from '../../app/Blocks.tsx';
 import { saveText } from '../../app/save.ts';
-import { useAnswer } from '../../chart/Figure.tsx';
+import { Figure, useLatest } from '../../chart/Figure.tsx';
 import { complete, FIELDS, fieldName, grouping, studyOf, toggle } from '../../state/comparing.ts';
 import { engine } from '../../state/engine.ts';
 import type { KeptDrop } from '../../store/drops.ts';
 import { text } from '../../text/language.ts';
+import { Comparison } from './Comparison.tsx';
 
 /** The study of all drops by groups, as `session` of the program computes it. */
 export function Groups({ drops }: { readonly drops: readonly KeptDrop[] }) {
@@ -14,16 +15,16 @@ export function Groups({ drops }: { readonly drops: readonly KeptDrop[] }) {
   useEffect(() => void complete().finally(() => setTried(true)), [unknown]);
   const request = studyOf(drops, null);
   const isReady = tried || unknown === 0;
-  const studied = useAnswer(
+  const { answer: studied, isCurrent } = useLatest(
     async () => (isReady ? engine().study(request) : undefined),
     [isReady, request],
   );
   return (
-    <div class="stack wide groups" aria-busy={!studied}>
-      <h2>{text('page-class-groups')}</h2>
-      <fieldset class="choice">
-        <legend>{text('page-class-by')}</legend>
-        <div class="row">
+    <div class="stack wide groups" aria-busy={!studied || !isCurrent}>
+      <div class="row">
+        <h2>{text('page-class-groups')}</h2>
+        <fieldset class="ticks">
+          <legend class="unseen">{text('page-class-by')}</legend>
           {FIELDS.map((field) => (
             <label key={field} class="check">
               <input
@@ -34,20 +35,21 @@ export function Groups({ drops }: { readonly drops: readonly KeptDrop[] }) {
               {fieldName(field)}
             </label>
           ))}
-        </div>
-      </fieldset>
+        </fieldset>
+      </div>
       {studied && (
         <>
+          {studied.figure && <Figure chart={studied.figure} />}
           <Blocks blocks={studied.lead} />
           <div>
             <button type="button" class="quiet" onClick={() => void saveReport(drops)}>
               {text('page-class-report')}
             </button>
           </div>
-          <Sections sections={studied.sections.slice(0, 1)} />
           <details>
             <summary>{text('page-class-details')}</summary>
-            <Sections sections={studied.sections.slice(1)} />
+            <Sections sections={studied.sections} />
+            <Comparison drops={drops} />
           </details>
         </>
       )}

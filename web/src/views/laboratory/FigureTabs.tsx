@@ -1,5 +1,6 @@
 import { computed, signal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
+import { Term } from '../../app/Term.tsx';
 import { Chart } from '../../chart/Chart.tsx';
 import { NumbersOf } from '../../chart/NumbersOf.tsx';
 import { figure, figures, show, shown } from '../../state/figures.ts';
@@ -89,9 +90,13 @@ function Tabs() {
 function Panel() {
   const chart = figure.value;
   const some = chart !== null && chart.panels.length > 0;
+  const term = figures.value.find(({ name }) => name === shown.value)?.tab ?? '';
   return (
     <div id="figure" role="tabpanel" aria-labelledby={`tab-${shown.value}`}>
       <figure class="figure-box" aria-busy={chart === null}>
+        <div>
+          <Term word={shown.value}>{term}</Term>
+        </div>
         <figcaption>{chart?.caption}</figcaption>
         {some ? <Chart chart={chart} /> : <div class="chart waiting" />}
         {some && (

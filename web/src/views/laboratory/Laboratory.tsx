@@ -4,6 +4,7 @@ import { Answer } from './Answer.tsx';
 import { AtRest } from './AtRest.tsx';
 import { Explained } from './Explained.tsx';
 import { FigureTabs } from './FigureTabs.tsx';
+import { Judged } from './Judged.tsx';
 import { Keep } from './Keep.tsx';
 import { ListenBar } from './ListenBar.tsx';
 import { LiveStrip } from './LiveStrip.tsx';
@@ -38,6 +39,7 @@ function Workspace() {
         <FigureTabs />
         <div class="stack rest">
           <SettingsLine />
+          <Judged />
           <AtRest />
           <Keep />
         </div>

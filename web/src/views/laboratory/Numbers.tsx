@@ -1,3 +1,4 @@
+import { Term } from '../../app/Term.tsx';
 import { unbroken } from '../../format/quantity.ts';
 import type { QuantityList, Reported } from '../../lab/index.ts';
 import { quantities } from '../../state/workspace.ts';
@@ -11,6 +12,7 @@ export function Numbers() {
   return (
     <details>
       <summary>{text('page-lab-more')}</summary>
+      <Term word="uncertainty">±</Term>
       <Lists lists={main} />
       {details.length > 0 && (
         <details>
