@@ -251,7 +251,7 @@ impl Numbers {
                 model.ball.unwrap_or_default()
             );
             self.add(format!("{name} probability"), model.probability);
-            self.add(format!("{name} log evidence"), model.log_evidence);
+            self.add(format!("{name} log evidence"), model.log_odds);
             self.estimate(&format!("{name} restitution"), model.restitution);
             self.estimate(&format!("{name} drop height"), model.drop_height_m);
         }

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use bouncelab::analysis::{Drop, DropCandidate, Plan, Source, StrongestBand};
 use bouncelab::detection::Envelope;
 use bouncelab::inference::Draws;
-use bouncelab::{Diagnostic, Options};
+use bouncelab::{Diagnostic, InferenceFailure, Options};
 use bouncelab_report::chart::Chart as Data;
 use bouncelab_report::columns::{DropRecord, TableKind};
 use bouncelab_report::data_table::{Cell, DataTable, Definition};
@@ -128,6 +128,18 @@ impl Recording {
         ))
     }
 
+    fn seed(&self) -> u64 {
+        let inference = self.analyzer.setup.options.inference.as_ref();
+        inference.map_or(0, |asked| asked.sampler.seed)
+    }
+
+    /// A random order of so many draws.
+    fn order(&self, draws: usize) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..draws).collect();
+        order.shuffle(&mut ChaCha8Rng::seed_from_u64(self.seed()));
+        order
+    }
+
     /// The figures of the recording as a whole, with their names.
     fn own_charts(&self, py: Python<'_>, words: &Translator) -> Result<Vec<(&'static str, Data)>> {
         let result = self.result(py)?;
@@ -222,12 +234,38 @@ impl Recording {
         } else {
             DRAWN
         };
-        let mut order: Vec<usize> = (0..draws.restitution.len()).collect();
-        let inference = self.analyzer.setup.options.inference.as_ref();
-        let seed = inference.map_or(0, |asked| asked.sampler.seed);
-        order.shuffle(&mut ChaCha8Rng::seed_from_u64(seed));
-        let rows = order.into_iter().map(|index| (draws, index));
+        let order = self.order(draws.restitution.len()).into_iter();
+        let rows = order.map(|index| (draws, index));
         Ok(Table(DataTable::of(drawn, rows)))
+    }
+
+    /// Every unknown of each draw, as JSON, with the order in which `draws` has them and the kinds of ball.
+    fn drawn_unknowns(&self, py: Python<'_>, drop: usize) -> Result<String> {
+        let posterior = self.at(py, drop)?.posterior.as_ref();
+        let posterior = posterior.map_err(Clone::clone)?;
+        let failed = bouncelab::Error::CannotInfer(InferenceFailure::SamplingFailed);
+        let (posterior, seed) = (posterior.clone(), self.seed());
+        let found = py.detach(|| {
+            interruptible(move || {
+                let drawn = posterior.drawn_unknowns(seed);
+                drawn.map(|drawn| (drawn, posterior.possible_kinds()))
+            })
+        })?;
+        let (drawn, kinds) = found.ok_or(failed)?;
+        let order = self.order(drawn.log_likelihood.values.len() / drawn.intervals_s.len());
+        Ok(serde_json::to_string(&(drawn, order, kinds))?)
+    }
+
+    /// Covariance of the restitutions of single impacts of a drop, row after row, and their numbers.
+    fn restitution_covariance<'py>(
+        &self,
+        py: Python<'py>,
+        drop: usize,
+    ) -> Result<(Vec<usize>, Bound<'py, PyBytes>)> {
+        let drop = self.at(py, drop)?;
+        let found = drop.per_impact.as_ref().map_err(Clone::clone)?;
+        let numbers = found.impacts.iter().map(|impact| impact.number).collect();
+        Ok((numbers, bytes(py, &found.covariance(&drop.impacts))))
     }
 
     /// The answer in a few sentences, of a drop or of all.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use bouncelab::drop::{Start, Stop};
+use bouncelab::drop::{self, Start, Stop};
 use bouncelab::impact::ImpactEvent;
 use bouncelab::restitution::Restitution;
 use bouncelab::synth::{self, BitDepth, Clicks, Hum, Lost, Noise, Reverb, Scene, Voice};
@@ -14,6 +14,9 @@ use bouncelab_report::mark::Mark;
 use bouncelab_report::theme::Meaning;
 use pyo3::prelude::*;
 use pyo3::types::{PyByteArray, PyBytes};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
 use serde::Deserialize;
 
 use crate::analyzer::Analyzer;
@@ -32,9 +35,20 @@ use crate::watch::interruptible;
 struct Request {
     height_m: f64,
     launch_speed_m_s: Option<f64>,
-    restitution: String,
+    restitution: Law,
+    /// Standard deviation of ln e from impact to impact.
+    scatter: f64,
+    seed: u64,
     until_m: Option<f64>,
     bounces: Option<usize>,
+}
+
+/// A law of the impact speed as text, or the restitution of each impact.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum Law {
+    OfSpeed(String),
+    Each(Vec<f64>),
 }
 
 /// How it is recorded.
@@ -57,13 +71,31 @@ struct SceneRequest {
 
 impl Request {
     fn run(&self, analyzer: &Analyzer) -> Result<Run> {
-        let restitution: Restitution = self.restitution.parse()?;
         let launched = self.launch_speed_m_s.map(Start::Launch);
         let start = launched.unwrap_or(Start::Height(self.height_m));
         let stop = Stop::asked(self.until_m, self.bounces);
         let options = &analyzer.setup.options;
+        let model = options.model()?;
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
+        let mut scattered = |restitution: f64| {
+            let normal: f64 = StandardNormal.sample(&mut random);
+            restitution * (self.scatter * normal).exp()
+        };
+        let contact_time_s = options.contact_time_s;
+        let history = match &self.restitution {
+            Law::OfSpeed(law) => {
+                let law: Restitution = law.parse()?;
+                let kept = |_, speed_m_s| scattered(law.at(speed_m_s));
+                drop::simulate_each(&model, contact_time_s, kept, start, stop)?
+            }
+            Law::Each(each) => {
+                let kept = |impact: usize, _| scattered(each[impact]);
+                let stop = stop.or_after(each.len());
+                drop::simulate_each(&model, contact_time_s, kept, start, stop)?
+            }
+        };
         let law = options.environment.drag.clone();
-        Ok(Run::simulate(law, options, restitution, start, stop)?)
+        Ok(Run::of(law, &model, history))
     }
 }
 

@@ -175,3 +175,41 @@ def test_paths_may_be_lists_patterns_and_urls(sound: bl.Sound, tmp_path: Path) -
     assert bl.analyze("memory://folder/a.wav", draws=None).drops[0] == alone.drops[0]
     assert len(bl.session("memory://folder", ball="table-tennis-38", draws=None).drops) == 2
     assert bl.verdict(str(tmp_path / "a.wav"), "ittf-ball", draws=200).outcome in ("pass", "fail", "cannot-decide")
+
+
+def test_drag_is_a_table_of_ones_own() -> None:
+    """As text, mapping, pairs, array, and a function: all the same; one that is the usual law, nearly the usual numbers."""
+    numpy = pytest.importorskip("numpy")
+    points = {1e2: 1.1, 1e4: 0.64, 1e5: 0.58}
+    reynolds = [1e3, 2e4, 9e4]
+    expected = bl.drag_coefficient(reynolds, "table:100=1.1,10000=0.64,100000=0.58")
+    for law in (points, list(points.items()), numpy.array([*points.items()])):
+        assert (bl.drag_coefficient(reynolds, law) == expected).all()
+    fall = bl.simulate(bounces=5, drag=lambda reynolds: float(bl.drag_coefficient(reynolds)))
+    assert fall.bounces["apex_m"] == pytest.approx(bl.simulate(bounces=5).bounces["apex_m"], rel=1e-4)
+    drop = bl.analyze_times(TIMES_S, ball="table-tennis-40", drag=lambda reynolds: 0.5, draws=None)
+    assert "table:" in drop.settings.air.drag
+    for wrong in ([1.0], {1e4: "thick"}, {}, [(1e4, 0.6, 1.0)]):
+        with pytest.raises(bl.BouncelabError):
+            bl.drag_coefficient(reynolds, wrong)  # type: ignore[arg-type]
+
+
+def test_a_simulation_has_restitutions_of_its_own_and_scatter() -> None:
+    numpy = pytest.importorskip("numpy")
+    each = [0.9, 0.8, 0.7]
+    made = bl.simulate(restitution=each)
+    assert made.bounces["restitution"].tolist() == each
+    assert bl.simulate(restitution=numpy.array(each), bounces=2).bounces["restitution"].tolist() == each[:2]
+    for law in bl.restitution_laws():
+        assert len(bl.simulate(restitution=law.example, bounces=3).bounces) == 3
+    scattered = [bl.simulate(restitution=[0.8] * 50, scatter=0.01, seed=seed).bounces for seed in range(20)]
+    logs = numpy.log(numpy.concatenate([it["restitution"] for it in scattered]) / 0.8)
+    assert len(logs) == 1000 and abs(logs.mean()) < 0.0015 and 0.009 < logs.std() < 0.011
+    assert bl.simulate(scatter=0.01, seed=1) == bl.simulate(scatter=0.01, seed=1) != bl.simulate(scatter=0.01, seed=2)
+    ball = bl.simulate(restitution=each, ball="table-tennis-40", contact_time_s=0.002)
+    assert ball.contact_time_s == 0.002
+    still = bl.simulate(restitution=each, ball="table-tennis-40", contact_time_s=0.0)
+    assert ball.bounces["time_s"] - still.bounces["time_s"] == pytest.approx([0.0, 0.002, 0.004])
+    for wrong in ({"restitution": []}, {"restitution": [1.5]}, {"scatter": -1.0}):
+        with pytest.raises(bl.InputError):
+            bl.simulate(**wrong)  # type: ignore[arg-type]

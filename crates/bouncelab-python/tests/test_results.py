@@ -134,9 +134,76 @@ def test_arviz_takes_the_draws(times: bl.Recording) -> None:
     pytest.importorskip("arviz")
     drop = times.drops[0]
     posterior = drop.draws.to_arviz().posterior
-    assert set(posterior.data_vars) == set(drop.draws)
-    assert dict(posterior.sizes) == {"chain": 1, "draw": len(drop.draws)}
-    assert (posterior["restitution"].values[0] == drop.draws["restitution"]).all()
+    assert set(drop.draws) < set(posterior.data_vars)
+    assert dict(posterior.sizes) == {
+        "chain": 1, "draw": len(drop.draws), "impact": len(TIMES_S), "interval": len(TIMES_S) - 1, "speed_m_s": 5
+    }  # fmt: skip
+    for name in drop.draws:
+        assert (posterior[name].values[0] == drop.draws[name]).all()
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_arviz_has_the_whole_posterior() -> None:
+    """Of simulated impacts, whose errors are known: each law is right or wrong by as much as it was made."""
+    arviz, numpy = pytest.importorskip("arviz"), pytest.importorskip("numpy")
+    import matplotlib
+
+    matplotlib.use("agg")
+    made = bl.simulate(restitution="linear:0.95,0.03", bounces=12, ball="table-tennis-40", scatter=0.001, seed=3)
+    times_s = made.bounces["time_s"] + numpy.random.default_rng(1).normal(0.0, 2e-5, len(made.bounces))
+    found = {}
+    for law in ("constant", "smooth"):
+        options: bl.Options = {"ball": "table-tennis-40", "height_m": 0.305, "draws": 800, "restitution_laws": [law]}
+        drop = bl.analyze_times(times_s, **options).drops[0]
+        found[law] = drop.draws.to_arviz()
+    data = found["smooth"]
+    assert {"posterior", "prior", "log_likelihood", "posterior_predictive", "observed_data", "sample_stats"} <= set(data.groups())
+    # The law that was made, at the speeds at which it is stated; and the impacts, one by one.
+    curve = data.posterior["restitution_curve"]
+    truth = 0.95 - 0.03 * curve["speed_m_s"].values
+    assert (abs(curve.mean(("chain", "draw")) - truth) < 4 * curve.std(("chain", "draw"))).all()
+    speed = data.posterior["impact_speed_m_s"]
+    off = abs(speed.mean(("chain", "draw")).values - made.bounces["impact_speed_m_s"])
+    assert (off < 4 * speed.std(("chain", "draw")).values).all()
+    # What is replicated scatters about what was observed, by as much as it differs.
+    observed, replicated = data.observed_data["interval_s"], data.posterior_predictive["interval_s"]
+    ranks = (replicated < observed).mean(("chain", "draw")).values
+    assert 0.0 < ranks.min() and ranks.max() < 1.0 and 0.2 < ranks.mean() < 0.8
+    # The priors, as they are documented.
+    prior = data.prior
+    assert float(prior["drop_height_m"].mean()) == pytest.approx(0.305, abs=3e-4)
+    assert float(numpy.log(prior["contact_time_s"]).std()) == pytest.approx(0.5, abs=0.1)
+    assert float(prior["restitution_curve"].sel(speed_m_s=curve["speed_m_s"][2]).mean()) == pytest.approx(0.5, abs=0.05)
+    assert prior["restitution_curve"].std() > 5 * curve.std()
+    # ArviZ compares the laws, and draws what is replicated.
+    assert arviz.loo(data).elpd_loo > arviz.loo(found["constant"]).elpd_loo
+    assert list(arviz.compare(found).index) == ["smooth", "constant"]
+    assert arviz.plot_ppc(data, num_pp_samples=20) is not None
+    assert data.posterior["impact_speed_m_s"].attrs["units"] == "m/s" and "smooth" not in data.posterior.attrs["balls"]
+    assert '"ball"' in data.posterior.attrs["settings"]
+
+
+def test_the_covariance_of_neighbours_is_that_of_repeated_noise() -> None:
+    numpy = pytest.importorskip("numpy")
+    sound = bl.synthesize(restitution=0.9, bounces=7, ball="table-tennis-40", seed=2)
+    drop = bl.analyze(sound.samples, sound.sample_rate_hz, ball="table-tennis-40", draws=None).drops[0]
+    numbers, covariance = drop.restitution_covariance
+    assert drop.per_impact is not None
+    assert numbers == tuple(impact.number for impact in drop.per_impact.impacts)
+    sds = numpy.array([impact.restitution.sd for impact in drop.per_impact.impacts])
+    assert numpy.sqrt(numpy.diag(covariance)) == pytest.approx(sds)
+    assert (covariance == covariance.T).all() and covariance[0, 3] == 0.0 and covariance[0, 1] < 0.0 < covariance[0, 2]
+    # The same by noise that is drawn many times.
+    noise, times_s = numpy.random.default_rng(1), numpy.asarray(drop.impacts["time_s"])
+    sd_s = numpy.asarray(drop.impacts["time_sd_s"])
+    rows = []
+    for _ in range(1500):
+        noisy = bl.analyze_times(times_s + sd_s * noise.standard_normal(len(sd_s)), ball="table-tennis-40", draws=None)
+        per_impact = noisy.drops[0].per_impact
+        assert per_impact is not None
+        rows.append([impact.restitution.value for impact in per_impact.impacts])
+    repeated = numpy.cov(numpy.array(rows).T)
+    assert abs(repeated - covariance).max() < 0.12 * numpy.diag(covariance).max()
 
 
 @pytest.mark.filterwarnings("ignore")

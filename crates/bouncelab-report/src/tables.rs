@@ -177,7 +177,7 @@ pub fn models(posterior: &Posterior, translator: &Translator) -> Table {
                 .ball
                 .map_or_else(String::new, |kind| translator.named("ball", kind)),
             translator.fixed(model.probability, 3),
-            translator.fixed(model.log_evidence, 1),
+            translator.fixed(model.log_odds, 1),
             shown(&model.restitution, Unit::Number),
             shown(&model.drop_height_m, Unit::Length),
         ]);

@@ -208,6 +208,35 @@ pub fn simulate(
     start: Start,
     stop: Stop,
 ) -> Result<History> {
+    let by_law = |_, speed_m_s| contact.restitution().at(speed_m_s);
+    simulate_each(model, contact.contact_time_s(), by_law, start, stop)
+}
+
+/// Simulates a drop whose impacts each have a restitution of their own, such as one that scatters: `restitution` gives it by
+/// the index of the impact, from 0, and its speed in m/s. The contact takes a time in s.
+///
+/// # Errors
+/// Those of [`simulate`].
+///
+/// ```
+/// use bouncelab::drop::{self, Start, Stop};
+/// use bouncelab::flight::FlightModel;
+///
+/// let model = FlightModel::drag_free(10.0)?;
+/// let each = [0.5, 0.25];
+/// let start = Start::Height(0.8);
+/// let history = drop::simulate_each(&model, 0.0, |impact, _| each[impact], start, Stop::after(2))?;
+/// // Falls for 0.4 s, then flies for 0.4 s and for 0.1 s.
+/// assert!((history.total_time_s() - 0.9).abs() < 1e-12);
+/// # Ok::<(), bouncelab::Error>(())
+/// ```
+pub fn simulate_each(
+    model: &FlightModel,
+    contact_time_s: f64,
+    mut restitution: impl FnMut(usize, f64) -> f64,
+    start: Start,
+    stop: Stop,
+) -> Result<History> {
     within(Quantity::StopHeight, stop.apex_m, 0.0..)?;
     let opening = match start {
         Start::Height(height_m) => {
@@ -223,7 +252,8 @@ pub fn simulate(
     };
     let mut bounces = Vec::with_capacity(stop.bounces.min(64));
     while bounces.len() < stop.bounces {
-        let bounce = bounce(model, contact, landing)?;
+        let kept = restitution(bounces.len(), landing.speed_m_s);
+        let bounce = bounce(model, kept, landing)?;
         if bounce.flight.apex_m <= stop.apex_m {
             break;
         }
@@ -235,22 +265,21 @@ pub fn simulate(
             });
         }
         landing = ImpactEvent {
-            time_s: bounce.time_s + contact.contact_time_s() + bounce.flight.time_s(),
+            time_s: bounce.time_s + contact_time_s + bounce.flight.time_s(),
             speed_m_s: bounce.flight.impact_speed_m_s,
         };
         bounces.push(bounce);
     }
     Ok(History {
         model: model.clone(),
-        contact_time_s: contact.contact_time_s(),
+        contact_time_s,
         opening,
         bounces,
         landing,
     })
 }
 
-fn bounce(model: &FlightModel, contact: &Contact, event: ImpactEvent) -> Result<Bounce> {
-    let restitution = contact.restitution().at(event.speed_m_s);
+fn bounce(model: &FlightModel, restitution: f64, event: ImpactEvent) -> Result<Bounce> {
     let flight = model.launch(restitution * event.speed_m_s)?;
     let launch_energy = kinetic_j_kg(flight.launch_speed_m_s);
     Ok(Bounce {

@@ -139,8 +139,9 @@ def analyze(
             mean density, unless it is given.
         air : Air, or temperature_k, pressure_pa, relative_humidity, or density_kg_m3, viscosity_pa_s : float
             The air; a density of 0 is vacuum.
-        drag : str
-            As :func:`drag_laws` writes them.
+        drag : str, mapping, list of pairs, array or function
+            As :func:`drag_laws` writes them; or the drag coefficient at Reynolds numbers, as in ``{1e4: 0.64, 1e5: 0.58}``;
+            or a function of the Reynolds number, which is sampled from 10 to 1e6.
         buoyancy, added_mass : bool
             Whether these forces count; usually they do.
         gravity_m_s2 : float, or latitude_deg, altitude_m : float
@@ -175,6 +176,8 @@ def analyze(
             The only channel to use, the first being 1.
         band_hz : tuple of float
             The only frequencies to use.
+        accept : list of int
+            Numbers of ``candidates`` of the document, the first being 1, to analyse as drops.
         exclude_s, include_s : list of float
             Times of impacts to leave out, and to add.
 

@@ -529,8 +529,8 @@ class Model:
         Kind of the ball; ``None`` if the ball was stated.
     probability : float
         Posterior probability of the two together.
-    log_evidence : float
-        Natural logarithm of the marginal likelihood, the best being 0.
+    log_odds : float
+        Natural logarithm of its probability over that of the most probable.
     restitution, drop_height_m : Estimate or None
         What they alone would give; the height in m. ``None`` if their probability is negligible.
 
@@ -545,7 +545,7 @@ class Model:
     restitution_law: str
     ball: str | None
     probability: float
-    log_evidence: float
+    log_odds: float
     restitution: Estimate | None
     drop_height_m: Estimate | None
 

@@ -10,7 +10,7 @@ from bouncelab import _core
 from bouncelab._analyze import as_numbers
 from bouncelab._errors import InputError
 from bouncelab._recording import Recording
-from bouncelab._settings import Air, PhysicsOptions, analyzer
+from bouncelab._settings import Air, Drag, PhysicsOptions, analyzer
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
@@ -275,7 +275,7 @@ class _Used(NamedTuple):
     gravity_m_s2: float
     contact_time_s: float
     air: Air
-    drag: str | None
+    drag: Drag | None
 
     @classmethod
     def of(cls, settings: PhysicsOptions) -> _Used:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Unpack, overload
 from bouncelab import _core
 from bouncelab._analyze import as_numbers
 from bouncelab._errors import InputError
-from bouncelab._settings import Air, Ball, PhysicsOptions, analyzer, number, text
+from bouncelab._settings import Air, Ball, Drag, PhysicsOptions, analyzer, drag_law, number
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
@@ -94,15 +94,15 @@ def restitution_laws() -> tuple[RestitutionLaw, ...]:
     return tuple(RestitutionLaw(*law) for law in _core.restitution_laws())
 
 
-def drag_coefficient(reynolds: ArrayLike, law: str = "standard") -> NDArray[np.float64]:
+def drag_coefficient(reynolds: ArrayLike, law: Drag = "standard") -> NDArray[np.float64]:
     """Return the drag coefficient of a law.
 
     Parameters
     ----------
     reynolds : array_like of float
         Reynolds numbers of the diameter, of any shape.
-    law : str
-        As :func:`drag_laws` writes them.
+    law : str, mapping, list of pairs, array or function
+        As ``drag=`` of :func:`analyze`.
 
     Returns
     -------
@@ -128,7 +128,7 @@ def drag_coefficient(reynolds: ArrayLike, law: str = "standard") -> NDArray[np.f
     array([0.471, 0.405])
     """
     [numbers], shape = _broadcast(reynolds=reynolds)
-    return _shaped(_core.drag_coefficient(numbers, text("law", law)), shape)
+    return _shaped(_core.drag_coefficient(numbers, drag_law(law)), shape)
 
 
 def air(temperature_k: float = 293.15, pressure_pa: float = 101_325.0, relative_humidity: float = 0.5) -> Air:

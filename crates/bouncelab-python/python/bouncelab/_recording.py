@@ -10,6 +10,7 @@ from html import escape
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 from bouncelab import _core
+from bouncelab._arviz import inference_data
 from bouncelab._data import (
     BallComparison,
     JSON,
@@ -23,7 +24,7 @@ from bouncelab._data import (
     StrongestBand,
     read,
 )
-from bouncelab._errors import BouncelabError, BouncelabWarning, imported
+from bouncelab._errors import BouncelabError, BouncelabWarning
 from bouncelab._figure import Figure, figure
 from bouncelab._report import Documented, written
 from bouncelab._settings import flag, text
@@ -289,6 +290,22 @@ class Drop:
         found = self._document["per_impact"]
         return None if found is None else read(PerImpact, found)
 
+    @property
+    def restitution_covariance(self) -> tuple[tuple[int, ...], NDArray[np.float64]]:
+        """Numbers of the impacts of :attr:`per_impact`, and the covariance of their restitutions by the errors of the times.
+
+        Impacts whose numbers differ by one or two share times. It is not a number where the error of a time is unknown.
+
+        Raises
+        ------
+        PhysicsError
+            If no flight can be modelled.
+        """
+        import numpy as np
+
+        numbers, covariance = self._recording._core.restitution_covariance(self._place)
+        return tuple(numbers), np.frombuffer(covariance).reshape(len(numbers), len(numbers))
+
     @cached_property
     def posterior(self) -> Posterior:
         """The posterior of restitution, drop height, drag and the rest.
@@ -482,20 +499,20 @@ class Draws(Table):
         self._drop = drop
 
     def to_arviz(self) -> InferenceData:
-        """Return the draws for ArviZ, which must be installed.
+        """Return all that is known of the posterior for ArviZ, which must be installed.
 
         Returns
         -------
         arviz.InferenceData
-            One chain of independent draws, in the group ``posterior``.
+            One chain of independent draws. ``posterior`` has every unknown: the answers, as here; the restitution law and its
+            slope at five speeds (``restitution_curve``, ``restitution_slope``), which determine the smooth law; the scatter,
+            gravity, the contact time, and factors on the drag and on the errors of the times; speed and restitution of each
+            impact. ``prior`` has what has a proper prior; the drop height has one only if it was measured.
+            ``observed_data`` and ``posterior_predictive`` are the times between impacts, ``log_likelihood`` the logarithm of
+            the density of each given those before it. ``sample_stats`` has the ball, the number of impacts missed before
+            the first, and whether that is left out as another sound. Attributes state units, settings and version.
         """
-        arviz = imported("arviz", "arviz")
-        posterior = {name: self[name][None, :] for name in self}
-        # Version 1 takes all groups as one.
-        is_new = int(arviz.__version__.split(".")[0]) >= 1
-        whole: tuple[object, ...] = ({"posterior": posterior},) if is_new else (posterior,)
-        data: InferenceData = arviz.from_dict(*whole)
-        return data
+        return inference_data(self)
 
     def __reduce__(self) -> tuple[type[Draws], tuple[Drop]]:  # type: ignore[override]
         return (Draws, (self._drop,))

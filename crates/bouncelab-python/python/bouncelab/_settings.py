@@ -6,7 +6,7 @@ import json
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from numbers import Integral
-from typing import SupportsFloat, TypedDict, Unpack, get_type_hints
+from typing import SupportsFloat, TypeAlias, TypedDict, Unpack, get_type_hints
 
 from bouncelab import _core
 from bouncelab._errors import InputError
@@ -68,6 +68,10 @@ class Air:
     viscosity_pa_s: float
 
 
+#: A drag law: as text, or the drag coefficient at Reynolds numbers.
+Drag: TypeAlias = str | Mapping[float, float] | Iterable[tuple[float, float]] | Callable[[float], float]
+
+
 class BallOptions(TypedDict, total=False):
     """What is given of the ball."""
 
@@ -81,7 +85,7 @@ class AirOptions(TypedDict, total=False):
     """What is given of the air, and its forces on the ball."""
 
     air: Air | None
-    drag: str | None
+    drag: Drag | None
     temperature_k: float | None
     pressure_pa: float | None
     relative_humidity: float | None
@@ -117,8 +121,9 @@ class DetectionOptions(TypedDict, total=False):
 
 
 class EditOptions(TypedDict, total=False):
-    """Impacts excluded and included by hand."""
+    """Candidates accepted, and impacts excluded and included by hand."""
 
+    accept: Iterable[int] | None
     exclude_s: Iterable[float] | None
     include_s: Iterable[float] | None
 
@@ -251,11 +256,32 @@ def _plain(name: str, kind: object, value: object) -> object:
         return ends
     if name == "reach":
         return [_target(each) for each in _listed(name, value)]
+    if name == "drag":
+        return drag_law(value)
     if name == "known":
         if not isinstance(value, Mapping):
             raise InputError(f"known must be a mapping, not {_kind(value)}")
         return {text("known", key): number(name, share) for key, share in value.items()}
     return _READERS[kind](name, value)
+
+
+#: Reynolds numbers at which a function of them is sampled, 48 for each decade: from a bubble's to a golf ball's.
+REYNOLDS = tuple(10.0 ** (place / 48.0) for place in range(48, 6 * 48 + 1))
+
+
+def drag_law(value: object) -> str:
+    """Return a drag law as text: a mapping, pairs and a function of the Reynolds number are tables of the drag coefficient."""
+    if isinstance(value, str):
+        return value
+    if callable(value):
+        points = [(reynolds, number("drag", value(reynolds))) for reynolds in REYNOLDS]
+    else:
+        listed = value.items() if isinstance(value, Mapping) else _listed("drag", value)
+        pairs = [_listed("drag", pair) for pair in listed]
+        if any(len(pair) != 2 for pair in pairs):
+            raise InputError("drag must be pairs of a Reynolds number and a drag coefficient, as in [(1e4, 0.64), (1e5, 0.58)]")
+        points = sorted((number("drag", reynolds), number("drag", coefficient)) for reynolds, coefficient in pairs)
+    return "table:" + ",".join(f"{reynolds!r}={coefficient!r}" for reynolds, coefficient in points)
 
 
 def _target(value: object) -> dict[str, float]:
@@ -321,5 +347,6 @@ _READERS: dict[object, Callable[[str, object], object]] = {
     int | None: count,
     float | None: number,
     Iterable[str] | None: lambda name, value: [text(name, each) for each in _listed(name, value)],
+    Iterable[int] | None: lambda name, value: [count(name, each) for each in _listed(name, value)],
     Iterable[float] | None: lambda name, value: [number(name, each) for each in _listed(name, value)],
 }

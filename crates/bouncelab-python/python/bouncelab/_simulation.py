@@ -20,8 +20,13 @@ from bouncelab._table import Table
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from typing import TypeAlias
+
     import numpy as np
     from numpy.typing import ArrayLike, NDArray
+
+    #: A law of the impact speed, a constant, or the restitution of each impact.
+    Law: TypeAlias = float | str | Sequence[float] | NDArray[np.floating]
 
 
 class Simulation(Documented):
@@ -61,6 +66,12 @@ class Simulation(Documented):
     def terminal_speed_m_s(self) -> float | None:
         """Terminal speed in m/s; ``None`` without drag."""
         return None if self._run["terminal_speed_m_s"] is None else self._number("terminal_speed_m_s")
+
+    @property
+    def contact_time_s(self) -> float:
+        """How long each impact takes, in s: as stated, or usual for the ball."""
+        settings = json.loads(self._core.document("en"))["settings"]
+        return float(settings["ball"]["contact_time_s"])
 
     @property
     def total_time_s(self) -> float:
@@ -220,7 +231,9 @@ def simulate(
     *,
     height_m: float = 0.305,
     launch_speed_m_s: float | None = None,
-    restitution: float | str = 0.935,
+    restitution: Law = 0.935,
+    scatter: float = 0.0,
+    seed: int = 1,
     until_m: float | None = None,
     bounces: int | None = None,
     **settings: Unpack[PhysicsOptions],
@@ -230,7 +243,9 @@ def simulate(
     *,
     height_m: Sequence[float] | NDArray[np.floating],
     launch_speed_m_s: float | None = None,
-    restitution: float | str = 0.935,
+    restitution: Law = 0.935,
+    scatter: float = 0.0,
+    seed: int = 1,
     until_m: float | None = None,
     bounces: int | None = None,
     **settings: Unpack[PhysicsOptions],
@@ -239,7 +254,9 @@ def simulate(
     *,
     height_m: float | Sequence[float] | NDArray[np.floating] = 0.305,
     launch_speed_m_s: float | None = None,
-    restitution: float | str = 0.935,
+    restitution: Law = 0.935,
+    scatter: float = 0.0,
+    seed: int = 1,
     until_m: float | None = None,
     bounces: int | None = None,
     **settings: Unpack[PhysicsOptions],
@@ -252,9 +269,13 @@ def simulate(
         Height of the release, surface to lowest point of the ball, in m.
     launch_speed_m_s : float, optional
         Start upwards from the surface instead, at this speed in m/s.
-    restitution : float or str
+    restitution : float or str, or list or array of float
         Coefficient of restitution, 0 to 1, or a law of the impact speed, such as ``"linear:0.95,0.01"``;
-        :func:`restitution_laws` has an example of each.
+        :func:`restitution_laws` has an example of each. A list has the restitution of each impact, and the drop ends with it.
+    scatter : float
+        Standard deviation of the logarithm of the restitution from impact to impact, normal.
+    seed : int
+        Seed of the scatter.
     until_m : float, optional
         Stop when the ball rises no higher; 1 mm, unless ``bounces`` is given.
     bounces : int, optional
@@ -276,7 +297,7 @@ def simulate(
     -----
     Quadratic drag with a coefficient that follows the Reynolds number, buoyancy and added mass; the
     formulas are in the documentation of the crate ``bouncelab``, module ``flight``. Each impact takes the contact time of
-    the ball, ``contact_time_s``, during which it rests on the surface: the bounces begin later by the sum.
+    the ball, :attr:`Simulation.contact_time_s`, during which it rests on the surface: the bounces begin later by the sum.
 
     Examples
     --------
@@ -286,11 +307,16 @@ def simulate(
     True
     """
     heights_m = as_numbers("height_m", height_m, single=True)
+    law, most = _law(restitution), None if bounces is None else count("bounces", bounces)
+    if isinstance(law, list):
+        most = min(len(law) if most is None else most, len(law))
     request = {
         "launch_speed_m_s": _optional("launch_speed_m_s", launch_speed_m_s),
-        "restitution": _law(restitution),
+        "restitution": law,
+        "scatter": _spread(scatter),
+        "seed": count("seed", seed),
         "until_m": _optional("until_m", until_m),
-        "bounces": None if bounces is None else count("bounces", bounces),
+        "bounces": most,
     }
     resolved = analyzer(**settings)
     runs = [_core.Simulation(resolved, json.dumps(request | {"height_m": height})) for height in heights_m]
@@ -313,7 +339,8 @@ def synthesize(
     tail_s: float = 0.5,
     height_m: float = 0.305,
     launch_speed_m_s: float | None = None,
-    restitution: float | str = 0.935,
+    restitution: Law = 0.935,
+    scatter: float = 0.0,
     until_m: float | None = None,
     bounces: int | None = None,
     **settings: Unpack[PhysicsOptions],
@@ -339,8 +366,10 @@ def synthesize(
         Time before the release, and after the last impact.
     height_m, launch_speed_m_s : float
         As of :func:`simulate`.
-    restitution : float or str
+    restitution : float or str, or list or array of float
         As of :func:`simulate`.
+    scatter : float
+        As of :func:`simulate`; the seed is the same.
     until_m : float, optional
         As of :func:`simulate`.
     bounces : int, optional
@@ -368,6 +397,8 @@ def synthesize(
         height_m=height_m,
         launch_speed_m_s=launch_speed_m_s,
         restitution=restitution,
+        scatter=scatter,
+        seed=seed,
         until_m=until_m,
         bounces=bounces,
         **settings,
@@ -392,11 +423,23 @@ def synthesize(
     return Sound(np.frombuffer(samples, dtype=np.float32), int(sample_rate_hz), Table(impacts), simulation)
 
 
-def _law(restitution: float | str) -> str:
-    """Return a restitution as the text of a law: a number is a constant restitution."""
+def _law(restitution: object) -> str | list[float]:
+    """Return a restitution as the text of a law, or as that of each impact: a number is a constant restitution."""
     if isinstance(restitution, str):
         return restitution
-    return repr(number("restitution", restitution))
+    if not hasattr(restitution, "__len__"):
+        return repr(number("restitution", restitution))
+    each = as_numbers("restitution", restitution)
+    if not each or not all(0.0 < kept <= 1.0 for kept in each):
+        raise InputError("the restitutions of impacts must be above 0 and not above 1, and at least one")
+    return each
+
+
+def _spread(scatter: object) -> float:
+    spread = number("scatter", scatter)
+    if spread < 0.0:
+        raise InputError(f"scatter is {spread:g}; it must not be below 0")
+    return spread
 
 
 def _optional(name: str, value: object) -> float | None:

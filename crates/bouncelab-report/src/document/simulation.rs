@@ -2,6 +2,7 @@
 
 use bouncelab::drag::DragLaw;
 use bouncelab::drop::{self, History, Start, Stop};
+use bouncelab::flight::FlightModel;
 use bouncelab::restitution::{Contact, Restitution};
 use bouncelab::{Diagnostic, Options};
 use serde::Serialize;
@@ -52,12 +53,18 @@ impl Run {
     ) -> bouncelab::Result<Self> {
         let model = options.clone().with_drag(law.clone()).model()?;
         let contact = Contact::new(restitution, options.contact_time_s)?;
-        Ok(Self {
+        let history = drop::simulate(&model, &contact, start, stop)?;
+        Ok(Self::of(law, &model, history))
+    }
+
+    /// A drop that was simulated by a model with this drag law.
+    pub fn of(law: DragLaw, model: &FlightModel, history: History) -> Self {
+        Self {
             law,
             terminal_speed_m_s: model.terminal_speed_m_s(),
             mass_kg: model.moving_mass_kg().unwrap_or(f64::NAN),
-            history: drop::simulate(&model, &contact, start, stop)?,
-        })
+            history,
+        }
     }
 
     /// Energy at the start, in J.

@@ -239,16 +239,12 @@ impl Answers {
         })
     }
 
-    /// Gravity itself, of which the effective gravity is only a part: the rest of what moved that
-    /// belongs to buoyancy and added mass.
+    /// Gravity itself, of each draw.
     fn environment_gravity(&self, posterior: &SampledPosterior) -> Vec<f64> {
-        let stated = posterior.environment.gravity_m_s2;
         let of_draw = posterior.draws.iter().zip(&self.points);
         of_draw
             .map(|(draw, point)| {
-                let medium = posterior.medium_of(draw.candidate);
-                let change = point.gravity_m_s2 / medium.gravity_m_s2;
-                stated * change.powf(medium.inputs.gravity_share())
+                posterior.gravity_itself(posterior.medium_of(draw.candidate), point)
             })
             .collect()
     }
@@ -278,7 +274,7 @@ impl Answers {
                 restitution_law: candidate.law,
                 ball,
                 probability: candidate.weight,
-                log_evidence: 0.0,
+                log_odds: 0.0,
                 restitution: of_model(&self.restitution),
                 drop_height_m: of_model(&self.drop_height_m),
             });
@@ -286,9 +282,18 @@ impl Answers {
         sort_by_number(&mut models, |model| -model.probability);
         let best = models.first().map_or(1.0, |model| model.probability);
         for model in &mut models {
-            model.log_evidence = (model.probability / best).ln();
+            model.log_odds = (model.probability / best).ln();
         }
         models
+    }
+}
+
+impl SampledPosterior {
+    /// Gravity itself, of which the effective gravity is only a part: the rest of what moved that
+    /// belongs to buoyancy and added mass.
+    pub(super) fn gravity_itself(&self, medium: &Medium, point: &Point) -> f64 {
+        let change = point.gravity_m_s2 / medium.gravity_m_s2;
+        self.environment.gravity_m_s2 * change.powf(medium.inputs.gravity_share())
     }
 }
 

@@ -46,6 +46,7 @@ mod answers;
 mod banded;
 mod budget;
 mod candidates;
+mod drawn;
 mod evidence;
 mod findings;
 mod first_impact;
@@ -74,6 +75,7 @@ mod trials;
 mod unknowns;
 
 pub use budget::{Budget, Share};
+pub use drawn::{Axis, DrawnUnknowns, Variable};
 pub use identify::{Correlations, PriorContraction, Unknown};
 pub use parameters::{MAX_PARETO_SHAPE, UNINFORMATIVE, UNKNOWN};
 pub use pool::SamplerConfig;

@@ -139,8 +139,8 @@ pub struct Model {
     pub ball: Option<&'static str>,
     /// Its posterior probability, over all numbers of missed impacts.
     pub probability: f64,
-    /// Logarithm of its evidence above that of the best.
-    pub log_evidence: f64,
+    /// Natural logarithm of its probability over that of the most probable.
+    pub log_odds: f64,
     /// The restitution if it is true; `None` if it is too improbable to have been sampled.
     pub restitution: Option<Estimate>,
     /// The drop height if it is true, m.

@@ -138,6 +138,36 @@ pub fn of_impacts(
     Ok(per_impact)
 }
 
+impl PerImpact {
+    /// Covariance of the restitutions of [`Self::impacts`] by the errors of the times, row after row: impacts whose numbers
+    /// differ by one or two share times. Not a number where an error is unknown.
+    ///
+    /// `impacts` are those that it was made of, [`of_impacts`].
+    pub fn covariance(&self, impacts: &[Impact]) -> Vec<f64> {
+        let variance = |number: usize| {
+            let impact = impacts.iter().find(|impact| impact.number == number);
+            let sd_s = impact.and_then(|impact| impact.time_sd_s);
+            sd_s.map_or(f64::NAN, |sd_s| sd_s * sd_s)
+        };
+        // The derivative by the time of the impact of a number.
+        let by_time = |one: &ImpactRestitution, number: usize| {
+            let place = (number + 1).checked_sub(one.number);
+            let gradient = place.and_then(|place| one.log_gradient_per_s.get(place));
+            gradient.copied().unwrap_or(0.0)
+        };
+        let covariance = |one: &ImpactRestitution, other: &ImpactRestitution| {
+            let shared =
+                (one.number - 1..=one.number + 1).filter(|&number| by_time(other, number) != 0.0);
+            let of_logs = shared
+                .map(|number| by_time(one, number) * by_time(other, number) * variance(number));
+            one.restitution.value * other.restitution.value * of_logs.sum::<f64>()
+        };
+        let rows = self.impacts.iter();
+        rows.flat_map(|one| self.impacts.iter().map(move |other| covariance(one, other)))
+            .collect()
+    }
+}
+
 /// The median over the impacts, with its standard error from their scatter.
 fn median_restitution(impacts: &[ImpactRestitution]) -> Option<Estimate> {
     if impacts.len() < 3 {

@@ -171,6 +171,28 @@ impl<'a> Model<'a> {
         valid.then_some(evaluation)
     }
 
+    /// Logarithm of the density of each interval given those before it, in 1/s, at points; `None` if one of them is not
+    /// valid.
+    pub(super) fn log_densities<const L: usize>(
+        &self,
+        points: &[Point; L],
+    ) -> Option<Vec<Lanes<L>>> {
+        let trials = self.trials_at(points)?;
+        let mut densities = Vec::with_capacity(self.rows_of_data());
+        let mut report = |step: &Step<L>, end: &End<L>| {
+            let width = step.tail.width() * step.factor[2] * std::f64::consts::TAU;
+            let of_residual = step.tail.log_density(step.square) - width.ln() * 0.5;
+            densities.push(of_residual + end.launch_per_s.ln());
+        };
+        dispatch(
+            #[inline(always)]
+            || self.log_likelihood(&trials, &mut report),
+        );
+        // A release is no interval.
+        densities.drain(..densities.len() - self.observed.intervals.len());
+        trials.valid.iter().all(|valid| *valid).then_some(densities)
+    }
+
     /// Logarithm of prior times likelihood of each vector; every step is reported.
     fn log_posteriors_in_lanes<const L: usize>(
         &self,

@@ -191,3 +191,17 @@ fn vectors_side_by_side_are_as_probable_as_alone() {
         }
     });
 }
+
+/// What each interval adds is the likelihood, but for the constant that it leaves out.
+#[test]
+fn densities_of_intervals_add_up() {
+    with_model(&impacts(), |model, vector| {
+        let point = model.point(vector).unwrap();
+        let trials = model.trials_at(&[point]).unwrap();
+        let whole = model.log_likelihood(&trials, &mut |_, _| {}).0[0];
+        let densities = model.log_densities(&[point]).unwrap();
+        let sum: f64 = densities.iter().map(|density| density.0[0]).sum();
+        let constant = 0.5 * std::f64::consts::TAU.ln() * densities.len() as f64;
+        assert!((sum + constant - whole).abs() < 1e-9, "{sum} {whole}");
+    });
+}
