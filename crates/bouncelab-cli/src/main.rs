@@ -2,6 +2,7 @@
 
 mod analyze;
 mod balls;
+mod browser;
 mod demo;
 mod failure;
 mod help;

@@ -11,8 +11,9 @@ use bouncelab_report::report::{Markdown, Page, Provenance};
 use clap::Args;
 use jiff::Zoned;
 
+use crate::browser::Browser;
 use crate::failure::Failure;
-use crate::language::text_with;
+use crate::language::{text, text_with};
 use crate::terminal::say;
 
 /// Which files a command may replace.
@@ -36,18 +37,20 @@ impl OutputArguments {
 }
 
 /// How a report is written.
-#[derive(Clone, Copy, PartialEq, Eq)]
 enum Form {
     Html,
     Markdown,
+    /// Printed by a browser.
+    Pdf(Browser),
 }
 
 impl Form {
     /// The mark of an earlier report.
-    const fn mark(self) -> Mark {
+    const fn mark(&self) -> Mark {
         match self {
             Self::Html => mark::HTML,
             Self::Markdown => mark::MARKDOWN,
+            Self::Pdf(_) => mark::PDF,
         }
     }
 }
@@ -66,9 +69,13 @@ impl<'a> ReportFile<'a> {
         let form = match ending.as_ref().and_then(|ending| ending.to_str()) {
             Some("html" | "htm") => Form::Html,
             Some("md" | "markdown") => Form::Markdown,
+            Some("pdf") => {
+                let found = Browser::find();
+                Form::Pdf(found.ok_or_else(|| Failure::Input(text("terminal-no-browser")))?)
+            }
             _ => {
                 return Err(Failure::Usage(format!(
-                    "a report is HTML or Markdown, so {} must end in .html or .md",
+                    "a report is HTML, Markdown or PDF, so {} must end in .html, .md or .pdf",
                     Plain::path(path)
                 )));
             }
@@ -85,11 +92,17 @@ impl<'a> ReportFile<'a> {
 
     /// Writes a page; it appears whole or not at all.
     pub(crate) fn write(self, page: &Page) -> Result<(), Failure> {
-        let text = match self.form {
-            Form::Html => page.html(),
-            Form::Markdown => self.markdown(page)?.text,
+        let bytes = match &self.form {
+            Form::Html => page.html().into_bytes(),
+            Form::Markdown => self.markdown(page)?.text.into_bytes(),
+            Form::Pdf(browser) => {
+                let printed = browser.print(&page.html())?;
+                // A comment behind the end, by which a report is known to be one of bouncelab.
+                let comment = format!("% {}\n", mark::PDF.text());
+                [printed, comment.into_bytes()].concat()
+            }
         };
-        write(self.outputs, &self.path, self.form.mark(), text.as_bytes())
+        write(self.outputs, &self.path, self.form.mark(), &bytes)
     }
 
     /// The page as Markdown, with its figures in a folder next to it.

@@ -37,6 +37,11 @@ fn court(folder: &TempDir) {
     )
     .assert()
     .success();
+    let laboratory =
+        "name = \"Laboratory & Sons\"\naddress = \"Road 1, Town\"\nlogo = \"logo.svg\"\n";
+    fs::write(folder.path().join("laboratory.toml"), laboratory).unwrap();
+    let logo = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 40 20\"><circle cx=\"20\" cy=\"10\" r=\"9\"/></svg>";
+    fs::write(folder.path().join("logo.svg"), logo).unwrap();
     let path = folder.path().join("court/job.toml");
     let notes = fs::read_to_string(&path).unwrap();
     assert!(
@@ -46,6 +51,7 @@ fn court(folder: &TempDir) {
     let filled = notes
         .replace("kept = []", "kept = [\"reference\", \"conditioning\"]")
         .replace("number = \"\"", "number = \"2026-17\"")
+        .replace("# laboratory = \"../", "laboratory = \"../")
         .replace("client = \"\"", "client = \"Tennis club <Grün>\"")
         .replace("deviations = \"\"", "deviations = \"none\"")
         .replace(
@@ -118,7 +124,12 @@ fn five_places_by_five_drops_become_a_report() {
         "relate only to the items tested",
         "ITF, Court testing, ball rebound (predictive method)",
         "repeated: a door slammed",
-        "a synthesised drop with a first rebound of",
+        "of a synthesised drop with a first rebound of",
+        "they agree within the uncertainty",
+        "Laboratory &amp; Sons, Road 1, Town",
+        "src=\"data:image/svg+xml;base64,PHN2Zy",
+        "over places (5, reproducibility)",
+        "Test report 2026-17, court",
         "End of the report (2026-17)",
     ] {
         assert!(report.contains(words), "{words}");
@@ -130,6 +141,50 @@ fn five_places_by_five_drops_become_a_report() {
     assert_eq!(document["outcome"], "conforms");
     let count = |name: &str| document[name].as_array().unwrap().len();
     assert_eq!((count("drops"), count("reference_drops")), (25, 5));
+    print_as_pdf(&folder);
+}
+
+/// The reports as PDF: tagged, in a language, with a title, with every font in the file; that for the client is one page.
+/// Chromium writes its objects as plain text.
+fn print_as_pdf(folder: &TempDir) {
+    for (name, options, expected) in [
+        ("court.pdf", &[][..], 3..=7),
+        ("page.pdf", &["--one-page"], 1..=1),
+    ] {
+        let words = [&["show", "court", "--report", name], options].concat();
+        let shown = job(folder, &words).assert();
+        let said = String::from_utf8_lossy(&shown.get_output().stderr).into_owned();
+        if said.contains("none was found") {
+            eprintln!("{said}: not tested");
+            return;
+        }
+        shown.code(0);
+        let pdf = fs::read(folder.path().join(name)).unwrap();
+        let pdf = String::from_utf8_lossy(&pdf);
+        for part in [
+            "/MarkInfo <</Type /MarkInfo\n/Marked true>>",
+            "/StructTreeRoot",
+            "/Lang (en)",
+            "/Title (",
+        ] {
+            assert!(pdf.contains(part), "{name}: {part}");
+        }
+        let count = |part: &str| pdf.matches(part).count();
+        assert!(
+            expected.contains(&count("/Type /Page\n")),
+            "{name}: {} pages",
+            count("/Type /Page\n")
+        );
+        // Each font has a descriptor, and each descriptor a file.
+        assert!(count("/Type /FontDescriptor") > 0);
+        assert_eq!(
+            count("/FontFile2 ") + count("/FontFile3 "),
+            count("/Type /FontDescriptor"),
+            "{name}"
+        );
+        // One of bouncelab may be replaced.
+        job(folder, &words).assert().code(0);
+    }
 }
 
 /// A line that a crash cut off is no recording, and the job goes on; a sound that was changed is named.
@@ -147,9 +202,10 @@ fn a_job_goes_on_after_a_crash() {
     let whole = fs::read_to_string(&journal).unwrap();
     // The crash cut off the line of the second recording; its result was not written yet.
     let lines: Vec<&str> = whole.lines().collect();
-    assert_eq!(lines.len(), 4, "{whole}");
-    let torn = &lines[2][..lines[2].len() - 10];
-    fs::write(&journal, [lines[0], lines[1], torn].join("\n")).unwrap();
+    // The check of the method, and each recording with its result.
+    assert_eq!(lines.len(), 5, "{whole}");
+    let torn = &lines[3][..lines[3].len() - 10];
+    fs::write(&journal, [lines[0], lines[1], lines[2], torn].join("\n")).unwrap();
     job(&folder, &["add", "court", "c.txt"])
         .assert()
         .success()
@@ -232,6 +288,32 @@ fn sound(folder: &Path, name: &str, seed: u64) {
 fn ball(folder: &TempDir) {
     let new = ["new", "ball", "--rule", "ittf-ball", "--drops", "3"];
     job(folder, &new).assert().success();
+}
+
+/// Where several drop the ball in one place, the report has the reproducibility over them.
+#[test]
+fn operators_are_compared_in_one_place() {
+    let folder = TempDir::new().unwrap();
+    let new = ["new", "ball", "--rule", "itf-tennis", "--drops", "4"];
+    job(&folder, &new).assert().success();
+    let path = folder.path().join("ball/job.toml");
+    let notes = fs::read_to_string(&path).unwrap();
+    fs::write(&path, notes + "\n[settings.drop]\nheight_m = 1.27\n").unwrap();
+    for (number, operator) in ["Ada", "Ben", "Ada", "Ben"].into_iter().enumerate() {
+        let name = format!("{number}.txt");
+        drop(folder.path(), &name, 0.75 + 0.001 * number as f64);
+        job(&folder, &["add", "ball", &name, "--operator", operator])
+            .assert()
+            .success();
+    }
+    let shown = job(&folder, &["show", "ball", "--report", "ball.md"]).output();
+    assert!(shown.unwrap().status.code() != Some(1));
+    let report = fs::read_to_string(folder.path().join("ball.md")).unwrap();
+    assert!(
+        report.contains("over operators (2, reproducibility)"),
+        "{report}"
+    );
+    assert!(report.contains("0.txt  Ada"), "{report}");
 }
 
 /// What is recorded is kept as it came, with its hash, and counted in its place; what is repeated is recorded anew.

@@ -61,7 +61,7 @@ fn what_cannot_be_written_is_said_before_any_work() {
             .stdout("")
             .stderr(predicate::str::contains(says));
     };
-    report("drop.pdf", "must end in .html or .md");
+    report("drop.txt", "must end in .html, .md or .pdf");
     report("nowhere/drop.html", "does its folder exist");
     bouncelab()
         .current_dir(&folder)

@@ -34,6 +34,11 @@ impl Mark {
         Self::NONE.and_near_an_end(text)
     }
 
+    /// The text near an end of the file.
+    pub const fn text(&self) -> &'static str {
+        self.near_an_end
+    }
+
     /// The same, of files that have this within 4 kB of one of their ends too.
     #[must_use]
     pub const fn and_near_an_end(self, text: &'static str) -> Self {

@@ -8,8 +8,11 @@ use bouncelab::inference::{InferenceOptions, Measured, SamplerConfig};
 use bouncelab::restitution::{Contact, Restitution};
 use bouncelab::rulebook::{
     self, Averaging, Cause, Conditions, Decision, Evenness, Formula, InconclusiveReason, Item,
-    Kept, Limits, Outcome, Point, Reading, Remark, Requirement, Rule, Verdict,
+    Kept, Limits, Outcome, Point, Precision, Reading, Remark, Requirement, Rule, Verdict,
 };
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::StandardNormal;
 
 const HEIGHT: Measured = Measured {
     value: 0.305,
@@ -408,4 +411,37 @@ fn a_wider_risk_decides_more_and_more_drops_are_told() {
         verdict(&near(0.5), Decision::Simple).outcome,
         Outcome::Conforms
     );
+}
+
+/// Of levels and drops that are drawn with known standard deviations, the 95 % intervals hold these in at least 93 %.
+#[test]
+fn intervals_of_repeatability_and_reproducibility_hold_the_truth() {
+    const RUNS: usize = 1500;
+    const REPEATABILITY_M: f64 = 0.004;
+    let mut chance = ChaCha8Rng::seed_from_u64(5725);
+    let mut drawn = |sd: f64| -> f64 {
+        let error: f64 = chance.sample(StandardNormal);
+        sd * error
+    };
+    for between_m in [0.0, 0.002, 0.008] {
+        let truth_m = [REPEATABILITY_M, REPEATABILITY_M.hypot(between_m)];
+        let mut held = [0; 2];
+        for _ in 0..RUNS {
+            let levels: Vec<Vec<f64>> = (0..5)
+                .map(|_| {
+                    let level_m = 0.8 + drawn(between_m);
+                    (0..5).map(|_| level_m + drawn(REPEATABILITY_M)).collect()
+                })
+                .collect();
+            let precision = Precision::of(&levels).unwrap();
+            let found = [precision.repeatability_m, precision.reproducibility_m];
+            for (number, found) in found.iter().enumerate() {
+                let [low, high] = found.interval95;
+                held[number] += usize::from((low..=high).contains(&truth_m[number]));
+            }
+        }
+        for count in held {
+            assert!(count as f64 > 0.93 * RUNS as f64, "{between_m}: {held:?}");
+        }
+    }
 }

@@ -16,7 +16,8 @@ use crate::report::{ReportFile, provenance};
 /// Whether there is a report, and of which form.
 #[derive(Args)]
 pub(super) struct ReportArguments {
-    /// Write a report of one recording: .html (one file) or .md (with its figures in a folder)
+    /// Write a report of one recording: .html (one file), .md (with its figures in a folder) or .pdf (printed by an installed
+    /// Chromium, Chrome or Edge)
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
     /// Unfold the details of the report (every table and figure, the formulas), so that it prints them too

@@ -2,9 +2,10 @@
 
 mod record;
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use bouncelab::rulebook::{self, Conditions, Decision, Item, Rebound, Rule};
+use bouncelab::rulebook::{self, Conditions, Decision, Item, Precision, Rebound, Rule};
 use bouncelab::{Plain, demo};
 use bouncelab_report::report::Provenance;
 use bouncelab_report::report::verdict::{MethodCheck, TestNotes};
@@ -19,7 +20,7 @@ use record::{Job, Recorded};
 use crate::analyze::read;
 use crate::failure::Failure;
 use crate::interrupt::Stop;
-use crate::language::{text, text_with};
+use crate::language::{text, text_with, translator};
 use crate::listen::{self, Source};
 use crate::report::{OutputArguments, ReportFile, provenance, quoted, wrote};
 use crate::rules::Files;
@@ -83,6 +84,9 @@ enum What {
         /// The microphone, by its name in `listen --devices` or a part of it (default: that of the system)
         #[arg(long, value_name = "NAME", conflicts_with = "from")]
         device: Option<String>,
+        /// Who drops the ball [default: the operator in job.toml]
+        #[arg(long, value_name = "NAME")]
+        operator: Option<String>,
     },
     /// Add recordings; each is kept, and counts in its place
     Add {
@@ -94,6 +98,9 @@ enum What {
         /// The place, 1 for the first; 0 is the reference [default: the next with too few drops]
         #[arg(long, value_name = "NUMBER")]
         place: Option<usize>,
+        /// Who dropped the ball [default: the operator in job.toml]
+        #[arg(long, value_name = "NAME")]
+        operator: Option<String>,
     },
     /// Let a recording be repeated: it stays, and counts no more
     Repeat {
@@ -112,9 +119,13 @@ enum What {
         /// How to print the result; JSON is documented in docs/json.md
         #[arg(long, value_enum, default_value_t = Format::Text)]
         format: Format,
-        /// Write the test report: .html (one file) or .md (with its figures in a folder)
+        /// Write the test report: .html (one file), .md (with its figures in a folder) or .pdf (printed by an installed
+        /// Chromium, Chrome or Edge)
         #[arg(long, value_name = "FILE")]
         report: Option<PathBuf>,
+        /// Report on one page for the client: the result, its decision, and what it is of
+        #[arg(long, requires = "report")]
+        one_page: bool,
         #[command(flatten)]
         outputs: OutputArguments,
     },
@@ -137,14 +148,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             folder,
             files,
             place,
-        } => add(folder, files, *place),
+            operator,
+        } => add(folder, files, *place, operator.as_deref()),
         What::Listen {
             folder,
             place,
             from,
             fast,
             device,
+            operator,
         } => {
+            let operator = operator.as_deref();
             let source = |from: Option<&PathBuf>| Source {
                 from: from.cloned(),
                 fast: *fast,
@@ -152,9 +166,19 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             };
             // Without an end for the microphone: it stops when all places have their drops.
             if from.is_empty() {
-                listen(folder, *place, std::iter::repeat_with(|| source(None)))
+                listen(
+                    folder,
+                    *place,
+                    operator,
+                    std::iter::repeat_with(|| source(None)),
+                )
             } else {
-                listen(folder, *place, from.iter().map(|from| source(Some(from))))
+                listen(
+                    folder,
+                    *place,
+                    operator,
+                    from.iter().map(|from| source(Some(from))),
+                )
             }
         }
         What::Repeat {
@@ -166,8 +190,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             folder,
             format,
             report,
+            one_page,
             outputs,
-        } => show(folder, *format, report.as_deref(), outputs),
+        } => show(folder, *format, report.as_deref(), *one_page, outputs),
     }
 }
 
@@ -186,11 +211,25 @@ fn new(
     let files = files.collect::<Result<Vec<String>, _>>()?.join(", ");
     let notes = include_str!("template.toml")
         .replace("RULE", &rule.name)
+        .replace("NAME", &name_of(folder))
         .replace("PLACES", &number(places, rule.places()))
         .replace("DROPS", &number(drops, rule.fewest_drops))
         .replace("rules = []", &format!("rules = [{files}]"));
+    let check = method_check()?;
+    say(check.text(translator()));
+    if !check.agrees() {
+        return Err(Failure::Input(text("job-check-failed")));
+    }
     wrote(&Job::create(folder, &notes)?);
-    Ok(())
+    Job::open(folder)?.checked(check)
+}
+
+/// What a job is called: its folder, as a text of TOML.
+fn name_of(folder: &Path) -> String {
+    let name = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
+    let name = name.file_name().unwrap_or_default().to_string_lossy();
+    let plain = |c: &char| c.is_alphanumeric() || " -_.".contains(*c);
+    name.chars().filter(plain).collect()
 }
 
 /// A job with what follows from its notes.
@@ -298,7 +337,13 @@ impl Opened {
     }
 
     /// Keeps a recording of one or more drops, and counts it.
-    fn count(&mut self, path: &Path, place: usize, given_as: String) -> Result<(), Failure> {
+    fn count(
+        &mut self,
+        path: &Path,
+        place: usize,
+        given_as: String,
+        operator: Option<&str>,
+    ) -> Result<(), Failure> {
         let analysed = read(path, &self.setup.options, false)?;
         if let Some(reason) = analysed.no_drop() {
             return Err(Failure::Input(reason));
@@ -320,6 +365,7 @@ impl Opened {
             file,
             sha256,
             given_as,
+            operator: String::from(Plain::of(operator.unwrap_or(&self.job.notes.test.operator))),
             added: Zoned::now().strftime("%Y-%m-%d %H:%M:%S %z").to_string(),
             repeated: None,
         };
@@ -330,6 +376,21 @@ impl Opened {
             "{number}  {}\n",
             self.position(place, self.job.drops(place))
         ))
+    }
+
+    /// How drops repeat over operators, if several dropped the ball in the only place. Over places it would be unknown what
+    /// differs by the operator.
+    fn of_operators(&self) -> Result<Option<Precision>, Failure> {
+        if self.job.notes.places > 1 {
+            return Ok(None);
+        }
+        let mut levels: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
+        for recorded in self.job.of_place(1) {
+            let heights_m = self.rebounds(recorded)?.into_iter();
+            let of_operator = levels.entry(&recorded.operator).or_default();
+            of_operator.extend(heights_m.filter_map(|rebound| rebound.height_m));
+        }
+        Ok(Precision::of(&levels.into_values().collect::<Vec<_>>()))
     }
 
     /// The verdict on all that was recorded.
@@ -354,7 +415,12 @@ fn place_name(place: usize) -> String {
     }
 }
 
-fn add(folder: &Path, files: &[PathBuf], place: Option<usize>) -> Result<(), Failure> {
+fn add(
+    folder: &Path,
+    files: &[PathBuf],
+    place: Option<usize>,
+    operator: Option<&str>,
+) -> Result<(), Failure> {
     let mut opened = Opened::new(folder)?;
     for path in files {
         let Some(place) = opened.place(place)? else {
@@ -362,7 +428,7 @@ fn add(folder: &Path, files: &[PathBuf], place: Option<usize>) -> Result<(), Fai
                 "every place has its drops; state one with --place to add more".to_owned(),
             ));
         };
-        opened.count(path, place, String::from(Plain::path(path)))?;
+        opened.count(path, place, String::from(Plain::path(path)), operator)?;
     }
     print(opened.test()?.so_far() + "\n")
 }
@@ -371,6 +437,7 @@ fn add(folder: &Path, files: &[PathBuf], place: Option<usize>) -> Result<(), Fai
 fn listen(
     folder: &Path,
     stated: Option<usize>,
+    operator: Option<&str>,
     sources: impl Iterator<Item = Source>,
 ) -> Result<(), Failure> {
     let stop = Stop::on_request();
@@ -395,7 +462,7 @@ fn listen(
             .from
             .as_ref()
             .map_or_else(microphone, |from| String::from(Plain::path(from)));
-        opened.count(&file, place, given_as)?;
+        opened.count(&file, place, given_as, operator)?;
         print(opened.test()?.so_far() + "\n")?;
         added += 1;
     }
@@ -409,6 +476,7 @@ fn show(
     folder: &Path,
     format: Format,
     report: Option<&Path>,
+    one_page: bool,
     outputs: &OutputArguments,
 ) -> Result<(), Failure> {
     let opened = Opened::new(folder)?;
@@ -434,7 +502,15 @@ fn show(
             ..provenance()
         };
         let notes = TestNotes {
-            check: Some(method_check()?),
+            checks: opened
+                .job
+                .checks
+                .iter()
+                .cloned()
+                .chain([method_check()?])
+                .collect(),
+            of_operators: opened.of_operators()?,
+            one_page,
             ..opened.job.notes.test.clone()
         };
         file.write(&test.page(&provenance, Some(&notes)))?;
@@ -478,11 +554,13 @@ fn method_check() -> Result<MethodCheck, Failure> {
     let nothing = Conditions::default();
     let verdict = rulebook::judge(&rule, &options, &nothing, &place, &[], Decision::default())?;
     Ok(MethodCheck {
+        made: Zoned::now().strftime("%Y-%m-%d").to_string(),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
         truth_m: history
             .bounces()
             .first()
             .map_or(0.0, |bounce| bounce.flight.apex_m),
-        found_m: verdict.drops.first().and_then(|drop| drop.height_m),
+        found_m: verdict.rebound.map(|mean| mean.height_m),
     })
 }
 
@@ -500,8 +578,8 @@ fn line(recorded: &Recorded) -> String {
                 text_with("job-repeated", &[("reason", reason.into())])
             )
         });
-    format!(
-        "{file}  {place}  {}  {}{repeated}",
-        recorded.given_as, recorded.added
-    )
+    let about = [&recorded.given_as, &recorded.operator, &recorded.added];
+    let about = about.into_iter().filter(|part| !part.is_empty());
+    let about: Vec<&str> = about.map(String::as_str).collect();
+    format!("{file}  {place}  {}{repeated}", about.join("  "))
 }

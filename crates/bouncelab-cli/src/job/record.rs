@@ -1,15 +1,18 @@
 //! A job on disk: its notes, its sounds, and the journal of its drops.
 
 use std::collections::BTreeSet;
+use std::fmt::Display;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
 use bouncelab::Plain;
 use bouncelab::settings::Settings;
 use bouncelab_report::file::{Outputs, create_folder, read_noted, remove_drafts};
 use bouncelab_report::mark;
-use bouncelab_report::report::verdict::TestNotes;
+use bouncelab_report::report::verdict::{MethodCheck, TestNotes};
 use bouncelab_session::hash::{Hash, hash, hash_of_file};
 use bouncelab_session::journal::{JOURNAL, Journal, Key};
 use serde::de::DeserializeOwned;
@@ -43,6 +46,9 @@ pub(super) struct Notes {
     /// Parts of the procedure that were kept and that nothing else shows.
     #[serde(default)]
     pub(super) kept: Vec<String>,
+    /// A file with name, address and logo of the laboratory, relative to the job.
+    #[serde(default)]
+    laboratory: Option<PathBuf>,
     /// What the report states.
     #[serde(default)]
     pub(super) test: TestNotes,
@@ -51,10 +57,58 @@ pub(super) struct Notes {
     pub(super) settings: Settings,
 }
 
-/// What happened to a recording, a line of the journal.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// A laboratory, for all of its jobs.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Laboratory {
+    name: String,
+    address: String,
+    /// As of the accreditation.
+    #[serde(default)]
+    remarks: String,
+    /// A picture, relative to the file.
+    #[serde(default)]
+    logo: Option<PathBuf>,
+}
+
+impl Laboratory {
+    fn read(path: &Path, test: &mut TestNotes) -> Result<(), Failure> {
+        let laboratory: Self = toml::from_str(&noted(path)?).map_err(unreadable(path))?;
+        let parts = [&laboratory.name, &laboratory.address, &laboratory.remarks];
+        let parts = parts.into_iter().filter(|part| !part.is_empty());
+        test.laboratory = parts.map(String::as_str).collect::<Vec<_>>().join(", ");
+        if let Some(logo) = laboratory.logo {
+            let logo = path.with_file_name(logo);
+            let kind = match logo.extension().and_then(|ending| ending.to_str()) {
+                Some("png") => "png",
+                Some("jpg" | "jpeg") => "jpeg",
+                Some("svg") => "svg+xml",
+                _ => return Err(unreadable(&logo)("a logo is a file .png, .jpg or .svg")),
+            };
+            let bytes = read_noted(&logo, MAX_MB).map_err(unreadable(&logo))?;
+            let data = BASE64_STANDARD.encode(bytes);
+            test.logo = Some(format!("data:image/{kind};base64,{data}"));
+        }
+        Ok(())
+    }
+}
+
+/// The text of a file that people write.
+fn noted(path: &Path) -> Result<String, Failure> {
+    let bytes = read_noted(path, MAX_MB).map_err(unreadable(path))?;
+    String::from_utf8(bytes).map_err(unreadable(path))
+}
+
+fn unreadable<R: Display>(path: &Path) -> impl Fn(R) -> Failure {
+    move |reason| Failure::Input(format!("{}: {reason}", Plain::path(path)))
+}
+
+/// What happened in a job, a line of the journal.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "event", rename_all = "kebab-case")]
 enum Event {
+    /// The method was checked, at the start.
+    Checked(MethodCheck),
     /// It was added.
     Added(Recorded),
     /// It does not count any more: why. Its sound is kept.
@@ -76,6 +130,9 @@ pub(super) struct Recorded {
     pub(super) sha256: Hash,
     /// The name under which it was given.
     pub(super) given_as: String,
+    /// Who dropped the ball, if that was stated.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub(super) operator: String,
     /// Date and time.
     pub(super) added: String,
     /// Why it was repeated, if it was.
@@ -102,6 +159,8 @@ pub(super) struct Job {
     folder: PathBuf,
     pub(super) notes: Notes,
     pub(super) recorded: Vec<Recorded>,
+    /// The checks of the method at its start.
+    pub(super) checks: Vec<MethodCheck>,
     /// How many lines of the journal are damaged, and do not count.
     pub(super) damaged: usize,
 }
@@ -123,19 +182,20 @@ impl Job {
     /// Reads a job.
     pub(super) fn open(folder: &Path) -> Result<Self, Failure> {
         let path = folder.join(NOTES);
-        let unreadable =
-            |reason: String| Failure::Input(format!("{}: {reason}", Plain::path(&path)));
-        let bytes = read_noted(&path, MAX_MB).map_err(|reason| unreadable(reason.to_string()))?;
-        let text = String::from_utf8(bytes).map_err(|reason| unreadable(reason.to_string()))?;
-        let notes: Notes =
-            toml::from_str(&text).map_err(|reason| unreadable(reason.to_string()))?;
+        let mut notes: Notes = toml::from_str(&noted(&path)?).map_err(unreadable(&path))?;
         if notes.schema != SCHEMA {
-            return Err(unreadable(format!("the schema must be \"{SCHEMA}\"")));
+            return Err(unreadable(&path)(format!(
+                "the schema must be \"{SCHEMA}\""
+            )));
+        }
+        if let Some(laboratory) = &notes.laboratory {
+            Laboratory::read(&folder.join(laboratory), &mut notes.test)?;
         }
         let mut job = Self {
             folder: folder.to_owned(),
             notes,
             recorded: Vec::new(),
+            checks: Vec::new(),
             damaged: 0,
         };
         let journal = job.journal()?;
@@ -153,6 +213,7 @@ impl Job {
 
     fn apply(&mut self, event: Event) {
         match event {
+            Event::Checked(check) => self.checks.push(check),
             Event::Added(recorded) => self.recorded.push(recorded),
             Event::Repeated { number, reason } => {
                 let of_number = |recorded: &&mut Recorded| recorded.number == number;
@@ -244,6 +305,18 @@ impl Job {
             .file_stem()
             .and_then(|stem| stem.to_str()?.parse().ok());
         (file, stated.unwrap_or(after))
+    }
+
+    /// Writes down a check of the method.
+    pub(super) fn checked(&mut self, check: MethodCheck) -> Result<(), Failure> {
+        let key = Key {
+            content: hash(check.made.as_bytes()),
+            settings: events(),
+        };
+        let event = Event::Checked(check);
+        self.append("check", &key, &event)?;
+        self.apply(event);
+        Ok(())
     }
 
     /// Marks a recording as repeated.

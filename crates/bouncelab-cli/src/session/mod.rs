@@ -114,8 +114,8 @@ pub(crate) struct Arguments {
     /// Write figures as SVG, PNG and PDF, and their data as CSV, into the output folder
     #[arg(long)]
     figures: bool,
-    /// Write a report as one HTML file, or as Markdown
-    #[arg(long, value_name = "FILE.html|FILE.md")]
+    /// Write a report as one HTML file, as Markdown, or as PDF (printed by an installed Chromium, Chrome or Edge)
+    #[arg(long, value_name = "FILE.html|FILE.md|FILE.pdf")]
     report: Option<PathBuf>,
     /// Recordings analysed in parallel [default: the number of processors]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]

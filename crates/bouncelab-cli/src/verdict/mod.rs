@@ -54,7 +54,8 @@ pub(crate) struct Arguments {
     /// How to print the result; JSON is documented in docs/json.md
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Write a report: .html (one file) or .md (with its figures in a folder)
+    /// Write a report: .html (one file), .md (with its figures in a folder) or .pdf (printed by an installed Chromium, Chrome
+    /// or Edge)
     #[arg(long, value_name = "FILE")]
     report: Option<PathBuf>,
     #[command(flatten)]

@@ -6,7 +6,7 @@ use bouncelab::rulebook::{Decision, Rule, Verdict};
 use bouncelab_report::Table;
 use bouncelab_report::document::verdict::Evaluation;
 use bouncelab_report::report::verdict::{
-    because, budget, by_rule, drop_table, outcome, procedure, ways,
+    because, budget, by_rule, drop_table, outcome, precision, procedure, ways,
 };
 use bouncelab_report::rules::words;
 
@@ -46,6 +46,13 @@ pub(super) fn report(evaluation: &Evaluation<'_>) -> String {
         let title = translator().with_colon(&text("verdict-budget"));
         add(&mut page, &format!("  {title}"));
         add(&mut page, &indented(&budget(mean, translator())));
+    }
+    if let Some(found) = verdict.precision() {
+        add(&mut page, "");
+        let title = translator().with_colon(&text("verdict-precision"));
+        add(&mut page, &format!("  {title}"));
+        let table = precision(&[("place", &found)], translator());
+        add(&mut page, &indented(&table));
     }
     add(&mut page, "");
     add(

@@ -48,7 +48,6 @@ const ELSEWHERE: [(&str, Elsewhere); 25] = [
     ("cargo xtask laboratory /tmp/laboratory 10000", MEASURED),
     ("cargo xtask laboratory target/laboratory 240", MEASURED),
     ("cargo xtask wheel", Check("python")),
-    ("chromium --headless ", Check("e2e")),
     ("pip install target/wheels/", Check("python")),
     ("python -m bouncelab analyze ", Check("python")),
     ("spark-submit ", Check("cluster")),

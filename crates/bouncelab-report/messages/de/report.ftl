@@ -1,6 +1,7 @@
 report-made-by = Bericht von bouncelab { $version }
 report-made-on = Bericht von bouncelab { $version }, { $date }
 report-note = Hinweis
+report-page = Seite { $page } von { $pages }
 report-figure = Abbildung
 report-details = Einzelheiten
 

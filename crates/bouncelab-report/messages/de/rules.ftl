@@ -19,6 +19,8 @@ rule-title-tennis-ball-for-high-altitude = Tennisball für große Höhen
 rule-title-padel-ball = Padelball
 rule-title-padel-ball-for-high-altitude = Padelball für große Höhen
 rule-title-tennis-ball-type-1-by-another-source = Tennisball, Typ 1, nach anderer Quelle
+rule-title-basketball-floor-fiba-level-1 = Basketballboden, FIBA-Stufe 1
+rule-title-basketball-floor-fiba-level-2 = Basketballboden, FIBA-Stufe 2
 
 rule-surface-granite-plate = Granitplatte
 rule-surface-the-court = der Platz
@@ -39,5 +41,7 @@ rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-set
 rule-note-the-law-says-about-23-cm-and-not-how-near = die Regel sagt etwa 23 cm, und nicht, wie genau
 rule-note-texts-that-cite-the-booklet-of-the-itf-give-138-to-151-cm-for-type-1-see-itf-tennis-type-1 = Texte, die das Heft der ITF anführen, geben 138 bis 151 cm für Typ 1: siehe itf-tennis-type-1
 rule-note-copies-of-the-rules-of-tennis-give-135-to-147-cm-for-types-1-to-3-see-itf-tennis = Abschriften der Tennisregeln geben 135 bis 147 cm für die Typen 1 bis 3: siehe itf-tennis
+rule-note-en-12235-states-the-procedure-and-was-not-read = EN 12235 legt das Verfahren fest und wurde nicht gelesen
+rule-note-another-text-that-cites-the-rules-says-above-800-m-where-this-one-says-above-500-m = ein anderer Text, der die Regeln zitiert, sagt über 800 m, dieser über 500 m
 rule-conditioning-24-hours-in-a-controlled-environment-pre-compressed-on-three-axes-tested-within-two-hours = 24 Stunden in geregeltem Raumklima, in drei Achsen vorgedrückt, binnen zwei Stunden geprüft
 rule-conditioning-balls-pressurised-at-21-to-25-c-pre-compressed-three-times-on-three-diameters = Bälle unter Druck bei 21 bis 25 °C, dreimal in drei Durchmessern vorgedrückt

@@ -46,6 +46,8 @@ analyze-one-labelled = Textmarken, Marken im Ton und Bewegung gelten einer Aufna
 analyze-cues-need-sound = { $name } ist eine Liste von Zeiten ohne Ton, in dem Marken stehen könnten; --format audacity oder textgrid schreibt Textmarken
 
 terminal-wrote = { $file } geschrieben
+terminal-not-printed = { $browser } hat den Bericht nicht gedruckt: { $reason }
+terminal-no-browser = Ein PDF druckt Chromium, Chrome oder Edge; keiner wurde gefunden. Installiere einen davon, oder schreibe den Bericht als .html und drucke ihn.
 terminal-wrote-figure = { $file }, .png, .pdf und .csv geschrieben
 terminal-first-figures = Die ersten { $count } Versuche haben eigene Abbildungen; Ergebnisse für Programme haben alle.
 terminal-all-shown = ... und { $count } weitere; --format csv hat alle.
@@ -124,13 +126,17 @@ test-only-items = Die Ergebnisse beziehen sich nur auf die geprüften Gegenstän
 test-end = Ende des Berichts
 test-not-given = nicht angegeben
 test-check = Prüfung des Verfahrens
-test-checked = ein synthetischer Versuch mit einem ersten Rücksprung von { $truth }: gefunden { $found }
+test-checked = { $made }, bouncelab { $version }: in einem synthetisierten Versuch mit einem ersten Rücksprung von { $truth } wurde { $found } gefunden; { $agrees ->
+    [yes] beides stimmt innerhalb der Unsicherheit überein
+   *[no] beides UNTERSCHEIDET SICH um mehr als die Unsicherheit
+}
 job-place = Stelle { $place } von { $places }, Versuch { $drop } von { $drops }
 job-reference = Referenz, Versuch { $drop } von { $drops }
 job-place-name = Stelle { $place }
 job-repeated = wiederholt: { $reason }
 job-so-far = Bisher { $value }. { $outcome }
 job-microphone = Mikrofon
+job-check-failed = Die Prüfung des Verfahrens ist fehlgeschlagen: Das Programm findet nicht, was bekannt ist. Es wurde kein Auftrag angelegt.
 job-no-drop-added = Dem Auftrag wurde kein Versuch hinzugefügt.
 job-damaged = { $count ->
     [one] Eine Zeile von { $file } ist beschädigt und zählt nicht; `bouncelab job show` nennt jede Aufnahme ohne Zeile.

@@ -26,6 +26,18 @@ verdict-correction = Korrektur cm
 verdict-standard-uncertainty = Standardunsicherheit cm
 verdict-degrees = Freiheitsgrade
 verdict-combined = zusammen
+verdict-precision = Wiederholpräzision und Vergleichpräzision (ISO 5725-2)
+verdict-precision-of = Standardabweichung
+verdict-precision-limit = Grenze zweier Versuche
+verdict-repeatability = { $factor ->
+    [operator] bei einer Person
+   *[place] an einer Stelle
+} (Wiederholpräzision; { $drops } Versuche)
+verdict-reproducibility = { $factor ->
+    [operator] über Personen
+   *[place] über Stellen
+} ({ $levels }, Vergleichpräzision)
+verdict-precision-why = Varianzanalyse. Die Grenze, 2,8 Standardabweichungen, überschreitet der Unterschied zweier Versuche mit einer Wahrscheinlichkeit von 5 %. Über Stellen enthält die Vergleichpräzision, wie ungleich die Stellen sind.
 verdict-cause-gravity = Fallbeschleunigung des Orts
 verdict-cause-release = Fallhöhe
 verdict-cause-times = Zeiten der Aufpralle

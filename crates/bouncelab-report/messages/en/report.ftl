@@ -3,6 +3,7 @@
 report-made-by = Report of bouncelab { $version }
 report-made-on = Report of bouncelab { $version }, { $date }
 report-note = Note
+report-page = Page { $page } of { $pages }
 report-figure = Figure
 report-details = Details
 

@@ -19,6 +19,8 @@ rule-title-tennis-ball-for-high-altitude = Tennis ball for high altitude
 rule-title-padel-ball = Padel ball
 rule-title-padel-ball-for-high-altitude = Padel ball for high altitude
 rule-title-tennis-ball-type-1-by-another-source = Tennis ball, type 1, by another source
+rule-title-basketball-floor-fiba-level-1 = Basketball floor, FIBA level 1
+rule-title-basketball-floor-fiba-level-2 = Basketball floor, FIBA level 2
 
 rule-surface-granite-plate = granite plate
 rule-surface-the-court = the court
@@ -39,5 +41,7 @@ rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-set
 rule-note-the-law-says-about-23-cm-and-not-how-near = the law says about 23 cm, and not how near
 rule-note-texts-that-cite-the-booklet-of-the-itf-give-138-to-151-cm-for-type-1-see-itf-tennis-type-1 = texts that cite the booklet of the ITF give 138 to 151 cm for type 1: see itf-tennis-type-1
 rule-note-copies-of-the-rules-of-tennis-give-135-to-147-cm-for-types-1-to-3-see-itf-tennis = copies of the Rules of Tennis give 135 to 147 cm for types 1 to 3: see itf-tennis
+rule-note-en-12235-states-the-procedure-and-was-not-read = EN 12235 states the procedure, and was not read
+rule-note-another-text-that-cites-the-rules-says-above-800-m-where-this-one-says-above-500-m = another text that cites the rules says above 800 m, where this one says above 500 m
 rule-conditioning-24-hours-in-a-controlled-environment-pre-compressed-on-three-axes-tested-within-two-hours = 24 hours in a controlled environment, pre-compressed on three axes, tested within two hours
 rule-conditioning-balls-pressurised-at-21-to-25-c-pre-compressed-three-times-on-three-diameters = balls pressurised at 21 to 25 °C, pre-compressed three times on three diameters

@@ -48,6 +48,8 @@ analyze-one-labelled = labels, markers and motion are of one recording, and seve
 analyze-cues-need-sound = { $name } is a list of times, which has no sound to mark; --format audacity or textgrid writes labels
 
 terminal-wrote = wrote { $file }
+terminal-not-printed = { $browser } did not print the report: { $reason }
+terminal-no-browser = A PDF is printed by Chromium, Chrome or Edge, and none was found. Install one, or write the report as .html and print it.
 terminal-wrote-figure = wrote { $file }, .png, .pdf and .csv
 terminal-first-figures = The first { $count } drops have figures of their own; results for programs have all.
 terminal-all-shown = ... and { $count } more; --format csv has them all.
@@ -126,13 +128,17 @@ test-only-items = The results relate only to the items tested. This report shall
 test-end = End of the report
 test-not-given = not given
 test-check = check of the method
-test-checked = a synthesised drop with a first rebound of { $truth }: found { $found }
+test-checked = { $made }, bouncelab { $version }: of a synthesised drop with a first rebound of { $truth } it found { $found }; { $agrees ->
+    [yes] they agree within the uncertainty
+   *[no] THEY DIFFER by more than the uncertainty
+}
 job-place = place { $place } of { $places }, drop { $drop } of { $drops }
 job-reference = reference, drop { $drop } of { $drops }
 job-place-name = place { $place }
 job-repeated = repeated: { $reason }
 job-so-far = So far { $value }. { $outcome }
 job-microphone = microphone
+job-check-failed = The check of the method failed: the program does not find what is known. No job was made.
 job-no-drop-added = No drop was added to the job.
 job-damaged = { $count ->
     [one] A line of { $file } is damaged and does not count; `bouncelab job show` names every sound that has no line.

@@ -26,6 +26,18 @@ verdict-correction = correction cm
 verdict-standard-uncertainty = standard uncertainty cm
 verdict-degrees = degrees of freedom
 verdict-combined = combined
+verdict-precision = Repeatability and reproducibility (ISO 5725-2)
+verdict-precision-of = standard deviation
+verdict-precision-limit = limit of two drops
+verdict-repeatability = within one { $factor ->
+    [operator] operator
+   *[place] place
+} (repeatability; { $drops } drops)
+verdict-reproducibility = over { $factor ->
+    [operator] operators
+   *[place] places
+} ({ $levels }, reproducibility)
+verdict-precision-why = An analysis of variance. The limit, 2.8 standard deviations, is exceeded by the difference of two drops with a probability of 5 %. Over places the reproducibility contains how unlike the places are.
 verdict-cause-gravity = gravity of the place
 verdict-cause-release = height of release
 verdict-cause-times = times of the impacts

@@ -1,6 +1,7 @@
 report-made-by = Informe de bouncelab { $version }
 report-made-on = Informe de bouncelab { $version }, { $date }
 report-note = Nota
+report-page = Página { $page } de { $pages }
 report-figure = Figura
 report-details = Detalles
 

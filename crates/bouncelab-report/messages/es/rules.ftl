@@ -19,6 +19,8 @@ rule-title-tennis-ball-for-high-altitude = Pelota de tenis para gran altitud
 rule-title-padel-ball = Pelota de pádel
 rule-title-padel-ball-for-high-altitude = Pelota de pádel para gran altitud
 rule-title-tennis-ball-type-1-by-another-source = Pelota de tenis, tipo 1, según otra fuente
+rule-title-basketball-floor-fiba-level-1 = Suelo de baloncesto, nivel FIBA 1
+rule-title-basketball-floor-fiba-level-2 = Suelo de baloncesto, nivel FIBA 2
 
 rule-surface-granite-plate = placa de granito
 rule-surface-the-court = la pista
@@ -39,5 +41,7 @@ rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-set
 rule-note-the-law-says-about-23-cm-and-not-how-near = la regla dice unos 23 cm, y no con qué aproximación
 rule-note-texts-that-cite-the-booklet-of-the-itf-give-138-to-151-cm-for-type-1-see-itf-tennis-type-1 = textos que citan el folleto de la ITF dan de 138 a 151 cm para el tipo 1: véase itf-tennis-type-1
 rule-note-copies-of-the-rules-of-tennis-give-135-to-147-cm-for-types-1-to-3-see-itf-tennis = copias de las reglas de tenis dan de 135 a 147 cm para los tipos 1 a 3: véase itf-tennis
+rule-note-en-12235-states-the-procedure-and-was-not-read = EN 12235 establece el procedimiento y no se leyó
+rule-note-another-text-that-cites-the-rules-says-above-800-m-where-this-one-says-above-500-m = otro texto que cita las reglas dice por encima de 800 m, y este por encima de 500 m
 rule-conditioning-24-hours-in-a-controlled-environment-pre-compressed-on-three-axes-tested-within-two-hours = 24 horas en ambiente controlado, precompresión en tres ejes, ensayo en dos horas
 rule-conditioning-balls-pressurised-at-21-to-25-c-pre-compressed-three-times-on-three-diameters = pelotas presurizadas a 21 a 25 °C, tres precompresiones en tres diámetros

@@ -47,6 +47,8 @@ analyze-one-labelled = etiquetas, marcas y movimiento son de una grabación, y s
 analyze-cues-need-sound = { $name } es una lista de tiempos, sin sonido que marcar; --format audacity o textgrid escribe etiquetas
 
 terminal-wrote = escrito: { $file }
+terminal-not-printed = { $browser } no imprimió el informe: { $reason }
+terminal-no-browser = Un PDF lo imprime Chromium, Chrome o Edge, y no se encontró ninguno. Instala uno, o escribe el informe como .html e imprímelo.
 terminal-wrote-figure = escrito: { $file }, .png, .pdf y .csv
 terminal-first-figures = Los primeros { $count } ensayos tienen figuras propias; los resultados para programas los tienen todos.
 terminal-all-shown = ... y { $count } más; --format csv los tiene todos.
@@ -125,13 +127,17 @@ test-only-items = Los resultados se refieren solo a los objetos ensayados. Este 
 test-end = Fin del informe
 test-not-given = no indicado
 test-check = comprobación del método
-test-checked = un ensayo sintetizado con un primer rebote de { $truth }: hallado { $found }
+test-checked = { $made }, bouncelab { $version }: en un ensayo sintetizado con un primer rebote de { $truth } se halló { $found }; { $agrees ->
+    [yes] concuerdan dentro de la incertidumbre
+   *[no] DIFIEREN en más que la incertidumbre
+}
 job-place = lugar { $place } de { $places }, ensayo { $drop } de { $drops }
 job-reference = referencia, ensayo { $drop } de { $drops }
 job-place-name = lugar { $place }
 job-repeated = repetido: { $reason }
 job-so-far = Hasta ahora { $value }. { $outcome }
 job-microphone = micrófono
+job-check-failed = La comprobación del método falló: el programa no halla lo que se conoce. No se creó ningún encargo.
 job-no-drop-added = No se añadió ningún ensayo al encargo.
 job-damaged = { $count ->
     [one] Una línea de { $file } está dañada y no cuenta; `bouncelab job show` nombra cada sonido sin línea.

@@ -26,6 +26,18 @@ verdict-correction = corrección cm
 verdict-standard-uncertainty = incertidumbre típica cm
 verdict-degrees = grados de libertad
 verdict-combined = combinada
+verdict-precision = Repetibilidad y reproducibilidad (ISO 5725-2)
+verdict-precision-of = desviación típica
+verdict-precision-limit = límite de dos ensayos
+verdict-repeatability = { $factor ->
+    [operator] con un operador
+   *[place] en un lugar
+} (repetibilidad; { $drops } ensayos)
+verdict-reproducibility = { $factor ->
+    [operator] entre operadores
+   *[place] entre lugares
+} ({ $levels }, reproducibilidad)
+verdict-precision-why = Análisis de la varianza. La diferencia de dos ensayos supera el límite, 2,8 desviaciones típicas, con una probabilidad del 5 %. Entre lugares, la reproducibilidad contiene lo distintos que son los lugares.
 verdict-cause-gravity = gravedad del lugar
 verdict-cause-release = altura de caída
 verdict-cause-times = tiempos de los impactos

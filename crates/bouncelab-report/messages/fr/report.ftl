@@ -1,6 +1,7 @@
 report-made-by = Rapport de bouncelab { $version }
 report-made-on = Rapport de bouncelab { $version }, { $date }
 report-note = Note
+report-page = Page { $page } sur { $pages }
 report-figure = Figure
 report-details = Détails
 

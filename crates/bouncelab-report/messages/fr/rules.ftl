@@ -19,6 +19,8 @@ rule-title-tennis-ball-for-high-altitude = Balle de tennis pour haute altitude
 rule-title-padel-ball = Balle de padel
 rule-title-padel-ball-for-high-altitude = Balle de padel pour haute altitude
 rule-title-tennis-ball-type-1-by-another-source = Balle de tennis, type 1, d’après une autre source
+rule-title-basketball-floor-fiba-level-1 = Sol de basket-ball, niveau FIBA 1
+rule-title-basketball-floor-fiba-level-2 = Sol de basket-ball, niveau FIBA 2
 
 rule-surface-granite-plate = plaque de granit
 rule-surface-the-court = le court
@@ -39,5 +41,7 @@ rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-set
 rule-note-the-law-says-about-23-cm-and-not-how-near = la règle dit environ 23 cm, sans dire à combien près
 rule-note-texts-that-cite-the-booklet-of-the-itf-give-138-to-151-cm-for-type-1-see-itf-tennis-type-1 = des textes qui citent la brochure de l’ITF donnent 138 à 151 cm pour le type 1 : voir itf-tennis-type-1
 rule-note-copies-of-the-rules-of-tennis-give-135-to-147-cm-for-types-1-to-3-see-itf-tennis = des copies des règles du tennis donnent 135 à 147 cm pour les types 1 à 3 : voir itf-tennis
+rule-note-en-12235-states-the-procedure-and-was-not-read = EN 12235 fixe la procédure et n'a pas été lu
+rule-note-another-text-that-cites-the-rules-says-above-800-m-where-this-one-says-above-500-m = un autre texte qui cite les règles dit au-dessus de 800 m, celui-ci au-dessus de 500 m
 rule-conditioning-24-hours-in-a-controlled-environment-pre-compressed-on-three-axes-tested-within-two-hours = 24 heures en ambiance contrôlée, précompression sur trois axes, essai dans les deux heures
 rule-conditioning-balls-pressurised-at-21-to-25-c-pre-compressed-three-times-on-three-diameters = balles sous pression à 21 à 25 °C, trois précompressions sur trois diamètres

@@ -47,6 +47,8 @@ analyze-one-labelled = étiquettes, marqueurs et mouvement sont d’un seul enre
 analyze-cues-need-sound = { $name } est une liste de temps, sans son à marquer ; --format audacity ou textgrid écrit des étiquettes
 
 terminal-wrote = écrit : { $file }
+terminal-not-printed = { $browser } n'a pas imprimé le rapport : { $reason }
+terminal-no-browser = Un PDF est imprimé par Chromium, Chrome ou Edge, et aucun n'a été trouvé. En installer un, ou écrire le rapport en .html et l'imprimer.
 terminal-wrote-figure = écrit : { $file }, .png, .pdf et .csv
 terminal-first-figures = Les { $count } premiers essais ont leurs propres figures ; les résultats pour programmes les ont tous.
 terminal-all-shown = ... et { $count } de plus ; --format csv les a tous.
@@ -125,13 +127,17 @@ test-only-items = Les résultats ne concernent que les objets soumis à l’essa
 test-end = Fin du rapport
 test-not-given = non indiqué
 test-check = vérification de la méthode
-test-checked = un essai synthétisé avec un premier rebond de { $truth } : trouvé { $found }
+test-checked = { $made }, bouncelab { $version } : d'un essai synthétisé avec un premier rebond de { $truth }, { $found } a été trouvé ; { $agrees ->
+    [yes] ils concordent dans l'incertitude
+   *[no] ils DIFFÈRENT de plus que l'incertitude
+}
 job-place = emplacement { $place } sur { $places }, essai { $drop } sur { $drops }
 job-reference = référence, essai { $drop } sur { $drops }
 job-place-name = emplacement { $place }
 job-repeated = répété : { $reason }
 job-so-far = Jusqu'ici { $value }. { $outcome }
 job-microphone = microphone
+job-check-failed = Le contrôle de la méthode a échoué : le programme ne trouve pas ce qui est connu. Aucune commande n'a été créée.
 job-no-drop-added = Aucun essai n'a été ajouté à la commande.
 job-damaged = { $count ->
     [one] Une ligne de { $file } est endommagée et ne compte pas ; `bouncelab job show` nomme chaque son sans ligne.

@@ -26,6 +26,18 @@ verdict-correction = correction cm
 verdict-standard-uncertainty = incertitude type cm
 verdict-degrees = degrés de liberté
 verdict-combined = composée
+verdict-precision = Répétabilité et reproductibilité (ISO 5725-2)
+verdict-precision-of = écart type
+verdict-precision-limit = limite de deux essais
+verdict-repeatability = { $factor ->
+    [operator] avec un opérateur
+   *[place] en un emplacement
+} (répétabilité ; { $drops } essais)
+verdict-reproducibility = { $factor ->
+    [operator] entre opérateurs
+   *[place] entre emplacements
+} ({ $levels }, reproductibilité)
+verdict-precision-why = Analyse de la variance. La différence de deux essais dépasse la limite, 2,8 écarts types, avec une probabilité de 5 %. Entre emplacements, la reproductibilité contient la dissemblance des emplacements.
 verdict-cause-gravity = pesanteur du lieu
 verdict-cause-release = hauteur de chute
 verdict-cause-times = temps des impacts

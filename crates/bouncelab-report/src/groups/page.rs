@@ -41,6 +41,8 @@ pub fn page(
         sections,
         details: Vec::new(),
         unfolded: false,
+        foot: String::new(),
+        logo: None,
         language: Language::new(translator),
     }
 }

@@ -35,10 +35,11 @@ impl Page {
                     meta name="generator" content={ (MARK) " " (env!("CARGO_PKG_VERSION")) };
                     title { (self.title) }
                     link rel="icon" href="data:,";
-                    style { (PreEscaped(STYLE)) }
+                    style { (PreEscaped(STYLE)) (PreEscaped(self.foot_style())) }
                 }
                 body {
                     header {
+                        @if let Some(logo) = &self.logo { img .logo src=(logo) alt=""; }
                         h1 { (self.title) }
                         p .subtitle { (self.subtitle) }
                     }
@@ -61,7 +62,32 @@ impl Page {
     }
 }
 
-/// A table of up to this count of rows stays on one page.
+impl Page {
+    /// The style of the foot of printed pages. Texts of others cannot end the style: they are within quotation marks, and
+    /// what could end those or the element is escaped.
+    fn foot_style(&self) -> String {
+        let [before, between, behind] = self.language.page.each_ref().map(|text| quoted(text));
+        format!(
+            "@page {{ @bottom-left {{ content: {}; }} @bottom-right {{ content: {before} counter(page) {between} \
+             counter(pages) {behind}; }} }}",
+            quoted(&self.foot)
+        )
+    }
+}
+
+/// A text in a style: letters and digits as they are, all else by its number.
+fn quoted(text: &str) -> String {
+    let escaped = text.chars().map(|c| {
+        if c.is_alphanumeric() || c == ' ' {
+            c.to_string()
+        } else {
+            format!("\\{:x} ", u32::from(c))
+        }
+    });
+    format!("\"{}\"", escaped.collect::<String>())
+}
+
+/// A table or a text of up to this count of rows stays on one page.
 const SHORT: usize = 16;
 
 /// State while a page is written.
@@ -103,7 +129,9 @@ impl Form<'_> {
                     math display="block" { mrow { (equation.mathml()) } }
                 }
             },
-            Block::Code(text) => html! { pre { code { (text) } } },
+            Block::Code(text) => {
+                html! { pre .short[text.lines().count() <= SHORT] { code { (text) } } }
+            }
         }
     }
 

@@ -27,6 +27,10 @@ pub struct Page {
     pub details: Vec<Section>,
     /// Whether the details are unfolded from the start, so that paper has them too.
     pub unfolded: bool,
+    /// What stands at the foot of each printed page, beside its number.
+    pub foot: String,
+    /// A picture above the heading, as the address of its data (`data:image/png;base64,...`).
+    pub logo: Option<String>,
     /// The language of all this.
     pub language: Language,
 }
@@ -42,6 +46,8 @@ pub struct Language {
     pub figure: String,
     /// The heading of the details.
     pub details: String,
+    /// What stands before, between and behind the number of a printed page and the number of all.
+    pub page: [String; 3],
 }
 
 impl Language {
@@ -52,8 +58,18 @@ impl Language {
             note: translator.text("report-note"),
             figure: translator.text("report-figure"),
             details: translator.text("report-details"),
+            page: page_number(translator),
         }
     }
+}
+
+/// The words around the numbers in "page 1 of 2".
+fn page_number(translator: &Translator) -> [String; 3] {
+    const NUMBER: &str = "#";
+    let words = [("page", NUMBER.into()), ("pages", NUMBER.into())];
+    let text = translator.text_with("report-page", &words);
+    let mut parts = text.splitn(3, NUMBER).map(str::to_owned);
+    std::array::from_fn(|_| parts.next().unwrap_or_default())
 }
 
 /// A heading and what belongs to it.

@@ -62,6 +62,8 @@ pub fn of_recording(input: &ReportInput, provenance: &Provenance, translator: &T
         sections,
         details,
         unfolded: false,
+        foot: String::new(),
+        logo: None,
         language: Language::new(translator),
     }
 }

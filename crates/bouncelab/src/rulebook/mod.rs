@@ -36,6 +36,7 @@
 
 mod budget;
 mod inconclusive;
+mod precision;
 mod procedure;
 mod rebound;
 mod rule;
@@ -43,6 +44,7 @@ mod verdict;
 
 pub use budget::{Cause, Component, MeanRebound};
 pub use inconclusive::{InconclusiveReason, Remark};
+pub use precision::Precision;
 pub use procedure::{Check, Conditions, Item, Kept};
 pub use rebound::Rebound;
 pub use rule::{

@@ -8,6 +8,7 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::budget::{MeanRebound, Spread};
 use super::inconclusive::{self, InconclusiveReason, Remark};
+use super::precision::Precision;
 use super::procedure::{self, Check, Conditions, Kept};
 use super::rebound::Rebound;
 use super::rule::{Averaging, Evenness, Limits, Rule};
@@ -133,6 +134,21 @@ impl Verdict {
     /// The value that is held against the limits: a height, m, or a share.
     pub fn value(&self) -> Option<Estimate> {
         self.share.or_else(|| Some(self.rebound.as_ref()?.height_m))
+    }
+
+    /// How drops repeat within a place and over places; `None` without two places, one of which has two drops.
+    pub fn precision(&self) -> Option<Precision> {
+        let places = self
+            .drops
+            .iter()
+            .map(|drop| drop.place + 1)
+            .max()
+            .unwrap_or(0);
+        let mut levels = vec![Vec::new(); places];
+        for drop in &self.drops {
+            levels[drop.place].push(drop.height_m?);
+        }
+        Precision::of(&levels)
     }
 
     /// Mean over the drops of the plain g T²/8 of their first flights, m; `None` unless all have one.

@@ -4,10 +4,12 @@ mod notes;
 mod tables;
 mod words;
 
+use bouncelab::rulebook::Precision;
+
 use super::conditions::{priors, shared_conditions};
 use super::input::Provenance;
 use super::method::method;
-use super::page::{Block, Language, Page, Section, ended};
+use super::page::{Block, Language, Page, Section, sentence};
 use super::recording::{made_by, repeat};
 use crate::document::verdict::Evaluation;
 use crate::figure;
@@ -15,7 +17,7 @@ use crate::messages::{Translator, capital};
 use crate::rules;
 
 pub use notes::{MethodCheck, TestNotes};
-pub use tables::{budget, drops as drop_table, procedure, ways};
+pub use tables::{budget, drops as drop_table, precision, procedure, ways};
 pub use words::{because, by_rule, outcome, outcome_name, so_far};
 
 /// The page of a verdict: what was decided, the rule, the rebound in several ways, each drop, what was
@@ -31,14 +33,20 @@ pub fn of_verdict(
     let made = provenance.made.as_deref();
     let cited = evaluation.rule.source.citation();
     let head = notes.map(|notes| notes.section(&cited, made, translator));
-    let sections = vec![
-        rebound(evaluation, translator),
-        the_rule(evaluation, translator),
-        drops(evaluation, translator),
-        shared_conditions(evaluation.setup, translator),
-        decision(translator),
-        repeat(provenance, translator),
-    ];
+    let one_page = notes.is_some_and(|notes| notes.one_page);
+    let sections = if one_page {
+        Vec::new()
+    } else {
+        let of_operators = notes.and_then(|notes| notes.of_operators);
+        vec![
+            rebound(evaluation, of_operators.as_ref(), translator),
+            the_rule(evaluation, translator),
+            drops(evaluation, translator),
+            shared_conditions(evaluation.setup, translator),
+            decision(translator),
+            repeat(provenance, translator),
+        ]
+    };
     // The model stands beside the result: what it assumes is no part of a test report.
     let details = match notes {
         Some(_) => Vec::new(),
@@ -48,19 +56,22 @@ pub fn of_verdict(
         ],
     };
     let closing = notes.map(|notes| notes.closing(translator));
+    let foot = notes.map_or_else(String::new, |notes| notes.title(translator));
+    let result = format!("{title} {outcome}");
     Page {
-        title: notes.map_or_else(String::new, |notes| notes.title(translator))
-            + &format!("{title} {outcome}"),
+        title: notes::joined([foot.clone(), result]),
         subtitle: made_by(provenance, translator),
-        lead: lead(evaluation, translator),
+        lead: lead(evaluation, one_page, translator),
         sections: head.into_iter().chain(sections).chain(closing).collect(),
         details,
         unfolded: false,
+        foot,
+        logo: notes.and_then(|notes| notes.logo.clone()),
         language: Language::new(translator),
     }
 }
 
-fn lead(evaluation: &Evaluation<'_>, translator: &Translator) -> Vec<Block> {
+fn lead(evaluation: &Evaluation<'_>, with_result: bool, translator: &Translator) -> Vec<Block> {
     let verdict = evaluation.verdict;
     let mut lead = vec![Block::Lead(words::outcome(verdict, translator))];
     lead.push(Block::text(
@@ -69,6 +80,10 @@ fn lead(evaluation: &Evaluation<'_>, translator: &Translator) -> Vec<Block> {
     lead.extend(words::because(verdict, translator).map(Block::Note));
     let chart = figure::verdict(evaluation.rule, verdict, evaluation.files, translator);
     lead.push(Block::figure("verdict", chart));
+    if with_result {
+        let ways = tables::ways(verdict, translator);
+        lead.push(Block::table(translator.text("verdict-ways"), ways));
+    }
     lead
 }
 
@@ -86,7 +101,11 @@ fn the_rule(evaluation: &Evaluation<'_>, translator: &Translator) -> Section {
     )
 }
 
-fn rebound(evaluation: &Evaluation<'_>, translator: &Translator) -> Section {
+fn rebound(
+    evaluation: &Evaluation<'_>,
+    of_operators: Option<&Precision>,
+    translator: &Translator,
+) -> Section {
     let ways = tables::ways(evaluation.verdict, translator);
     let mut blocks = vec![Block::table(translator.text("verdict-ways"), ways)];
     let budgets = [
@@ -102,10 +121,23 @@ fn rebound(evaluation: &Evaluation<'_>, translator: &Translator) -> Section {
         }
     }
     blocks.push(Block::text(translator.text("verdict-budget-why")));
+    let of_places = evaluation.verdict.precision();
+    let factors = [("place", of_places.as_ref()), ("operator", of_operators)];
+    let known: Vec<(&str, &Precision)> = factors
+        .into_iter()
+        .filter_map(|(factor, precision)| Some((factor, precision?)))
+        .collect();
+    if !known.is_empty() {
+        blocks.push(Block::table(
+            translator.text("verdict-precision"),
+            tables::precision(&known, translator),
+        ));
+        blocks.push(Block::text(translator.text("verdict-precision-why")));
+    }
     let remarks = evaluation.verdict.remarks.iter();
     let remarks = remarks.map(|remark| translator.diagnostic(&remark.diagnostic()));
     let notes = remarks.chain(rules::words::note(evaluation.rule, translator));
-    blocks.extend(notes.map(|note| Block::Note(ended(note))));
+    blocks.extend(notes.map(|note| Block::Note(sentence(&note))));
     Section::new(translator.text("verdict-the-rebound"), blocks)
 }
 

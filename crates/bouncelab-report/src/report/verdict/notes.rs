@@ -1,7 +1,8 @@
 //! What a laboratory states of a test besides its result (ISO/IEC 17025:2017, 7.8.2 and 7.8.3).
 
-use bouncelab::Plain;
-use serde::Deserialize;
+use bouncelab::rulebook::Precision;
+use bouncelab::{Estimate, Plain};
+use serde::{Deserialize, Serialize};
 
 use crate::messages::{Translator, capital};
 use crate::quantity::{Quantity, Unit};
@@ -11,6 +12,8 @@ use crate::report::page::{Block, Section};
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct TestNotes {
+    /// What the report is called, as the place or the ball that is tested.
+    pub name: String,
     /// Number of the report.
     pub number: String,
     /// Name and address of the laboratory.
@@ -39,45 +42,68 @@ pub struct TestNotes {
     pub equipment: Vec<String>,
     /// Name and function of who authorises the report.
     pub authorised: String,
-    /// The check of the method, made by the program.
+    /// The checks of the method, made by the program.
     #[serde(skip)]
-    pub check: Option<MethodCheck>,
+    pub checks: Vec<MethodCheck>,
+    /// The precision over operators, where several worked in one place.
+    #[serde(skip)]
+    pub of_operators: Option<Precision>,
+    /// The logo of the laboratory, as the address of its data (`data:image/png;base64,...`).
+    #[serde(skip)]
+    pub logo: Option<String>,
+    /// Whether the report is one page for the client: the result, its decision and what it is of.
+    #[serde(skip)]
+    pub one_page: bool,
 }
 
 /// Whether the method finds what is known, on a synthesised recording (validation of software).
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MethodCheck {
+    /// The day.
+    pub made: String,
+    /// The version of the program.
+    pub version: String,
     /// The first rebound that was synthesised, m.
     pub truth_m: f64,
     /// The first rebound that was found, m; `None` if none was.
-    pub found_m: Option<f64>,
+    pub found_m: Option<Estimate>,
 }
 
 impl MethodCheck {
-    fn text(&self, translator: &Translator) -> String {
-        let length = |height_m: f64| Quantity::rounded(height_m, 4, Unit::Length).text(translator);
-        let found = self
-            .found_m
-            .map_or_else(|| translator.text("unit-cannot-tell"), length);
-        translator.text_with(
-            "test-checked",
-            &[
-                ("truth", length(self.truth_m).into()),
-                ("found", found.into()),
-            ],
-        )
+    /// Whether what was found is what is known, within the expanded uncertainty.
+    pub fn agrees(&self) -> bool {
+        self.found_m.is_some_and(|found| {
+            let [low, high] = found.interval95;
+            (low..=high).contains(&self.truth_m)
+        })
+    }
+
+    /// The check in a sentence.
+    pub fn text(&self, translator: &Translator) -> String {
+        let found = self.found_m.map_or_else(
+            || translator.text("unit-cannot-tell"),
+            |found| Quantity::of(&found, Unit::Length).text(translator),
+        );
+        let truth = Quantity::rounded(self.truth_m, 4, Unit::Length).text(translator);
+        let agrees = if self.agrees() { "yes" } else { "no" };
+        let words = [
+            ("made", self.made.as_str().into()),
+            ("version", self.version.as_str().into()),
+            ("truth", truth.into()),
+            ("found", found.into()),
+            ("agrees", agrees.into()),
+        ];
+        translator.text_with("test-checked", &words)
     }
 }
 
 impl TestNotes {
-    /// What a title begins with.
+    /// What a title begins with, and what stands at the foot of each page.
     pub(super) fn title(&self, translator: &Translator) -> String {
         let number = plain(&self.number);
-        translator
-            .text_with("test-title", &[("number", number.into())])
-            .trim()
-            .to_owned()
-            + ", "
+        let title = translator.text_with("test-title", &[("number", number.into())]);
+        let parts = [title.trim().to_owned(), plain(&self.name)];
+        joined(parts)
     }
 
     /// The facts at the head of a report.
@@ -107,12 +133,11 @@ impl TestNotes {
         ];
         let shown =
             |id: &str, value: &str| (capital(&label(id, translator)), given(value, translator));
-        let mut facts: Vec<(String, String)> =
-            facts.iter().map(|(id, value)| shown(id, value)).collect();
-        facts.extend(
-            self.check
-                .map(|check| shown("check", &check.text(translator))),
-        );
+        let is_shown = |(_, value): &&(&str, &str)| !self.one_page || !value.trim().is_empty();
+        let facts = facts.iter().filter(is_shown);
+        let mut facts: Vec<(String, String)> = facts.map(|(id, value)| shown(id, value)).collect();
+        let checks = self.checks.iter().filter(|_| !self.one_page);
+        facts.extend(checks.map(|check| shown("check", &check.text(translator))));
         Section::new(label("heading", translator), vec![Block::Facts(facts)])
     }
 
@@ -136,6 +161,12 @@ impl TestNotes {
             ],
         )
     }
+}
+
+/// Parts of a title, without those that are empty.
+pub(super) fn joined(parts: [String; 2]) -> String {
+    let parts = parts.into_iter().filter(|part| !part.is_empty());
+    parts.collect::<Vec<_>>().join(", ")
 }
 
 fn label(id: &str, translator: &Translator) -> String {

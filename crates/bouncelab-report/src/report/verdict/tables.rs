@@ -1,6 +1,7 @@
 //! The verdict, as tables.
 
-use bouncelab::rulebook::{Check, Kept, MeanRebound, Rebound, Rule, Verdict};
+use bouncelab::Estimate;
+use bouncelab::rulebook::{Check, Kept, MeanRebound, Precision, Rebound, Rule, Verdict};
 
 use super::words::unit;
 use crate::messages::Translator;
@@ -111,6 +112,38 @@ pub fn budget(mean: &MeanRebound, translator: &Translator) -> Table {
         centimetres(mean.height_m.sd),
         String::new(),
     ]);
+    table
+}
+
+/// Repeatability and reproducibility, by what differs.
+pub fn precision(factors: &[(&str, &Precision)], translator: &Translator) -> Table {
+    let columns = [
+        ("verdict-precision-of", Align::Left),
+        ("verdict-value", Align::Right),
+        ("column-95", Align::Right),
+        ("verdict-precision-limit", Align::Right),
+    ];
+    let mut table = Table::with_headings(translator, columns);
+    let mut row = |name: String, sd_m: Estimate| {
+        let value = Quantity::of(&sd_m, Unit::Length);
+        let limit = Quantity::rounded(Precision::limit_m(sd_m.value), 2, Unit::Length);
+        table.row([
+            name,
+            value.text(translator),
+            value.interval_text(sd_m.interval95, translator),
+            limit.text(translator),
+        ]);
+    };
+    for (factor, precision) in factors {
+        let words = [
+            ("factor", (*factor).into()),
+            ("levels", precision.levels.into()),
+            ("drops", precision.drops.into()),
+        ];
+        let name = |id: &str| translator.text_with(id, &words);
+        row(name("verdict-repeatability"), precision.repeatability_m);
+        row(name("verdict-reproducibility"), precision.reproducibility_m);
+    }
     table
 }
 
