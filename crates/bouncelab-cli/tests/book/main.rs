@@ -31,7 +31,7 @@ use Elsewhere::{Check, Never};
 const MEASURED: Elsewhere = Check("measurements");
 
 /// The beginnings of commands that this test does not run. The first match counts.
-const ELSEWHERE: [(&str, Elsewhere); 25] = [
+const ELSEWHERE: [(&str, Elsewhere); 24] = [
     ("bouncelab listen --devices", Check("card")),
     ("bouncelab listen --ball tennis --save", Check("card")),
     ("bouncelab session --from", Check("cluster")),

@@ -1,4 +1,4 @@
-//! Repeatability and reproducibility of rebounds, after ISO 5725-2:2019.
+//! Repeatability and reproducibility of rebounds, after ISO 5725-2.
 
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
@@ -20,7 +20,7 @@ pub struct Precision {
 }
 
 impl Precision {
-    /// By an analysis of variance (ISO 5725-2:2019, 7.4) of the heights at each level, in metres; `None` unless there are two
+    /// By an analysis of variance (ISO 5725-2) of the heights at each level, in metres; `None` unless there are two
     /// levels, one of which has two drops.
     ///
     /// ```
@@ -64,46 +64,54 @@ impl Precision {
             (spread / count, between),
             ((1.0 - 1.0 / count) * repeated, within),
         ];
-        let sum: f64 = parts.iter().map(|(variance, _)| variance).sum();
-        let weights: f64 = parts
-            .iter()
-            .map(|(variance, degrees)| variance.powi(2) / degrees)
-            .sum();
-        let degrees = if weights > 0.0 {
-            sum.powi(2) / weights
-        } else {
-            within
-        };
         Some(Self {
             levels: counts.len(),
             drops: drops as usize,
-            repeatability_m: deviation(repeated, within),
-            reproducibility_m: deviation(sum.max(repeated), degrees),
+            repeatability_m: deviation(&[(repeated, within)], 0.0),
+            reproducibility_m: deviation(&parts, repeated),
         })
     }
 
-    /// What two results under these conditions differ by with a probability of 95 %, m (ISO 5725-6:1994, 4.1.4).
+    /// What two results under these conditions differ by with a probability of 95 %, m (ISO 5725-6).
     ///
     /// ```
-    /// assert_eq!(bouncelab::rulebook::Precision::limit_m(0.01), 0.028);
+    /// assert!((bouncelab::rulebook::Precision::limit_m(0.01) - 0.028).abs() < 1e-12);
     /// ```
     pub fn limit_m(standard_deviation_m: f64) -> f64 {
         2.8 * standard_deviation_m
     }
 }
 
-/// A standard deviation of which the square has so many degrees of freedom (of several variances by Welch and
-/// Satterthwaite), with the intervals of the chi-squared distribution.
-fn deviation(variance: f64, degrees: f64) -> Estimate {
-    let value = variance.sqrt();
-    let Ok(chi) = ChiSquared::new(degrees) else {
-        return Estimate::unbounded(value);
+/// The root of a sum of independent variances, each with its degrees of freedom, which is not below `least`. Its intervals
+/// are those of Graybill and Wang (Journal of the American Statistical Association 75 (1980) 869), for one variance the exact
+/// ones of the chi-squared distribution; with the degrees of freedom of Welch and Satterthwaite they would be too short.
+fn deviation(parts: &[(f64, f64)], least: f64) -> Estimate {
+    let sum: f64 = parts.iter().map(|(variance, _)| variance).sum();
+    let value = sum.max(least).sqrt();
+    // How far the end of the interval is from the sum: of each part its own, and of all the root of their squares.
+    let off = |share: f64| -> f64 {
+        let squares = parts.iter().map(|(variance, degrees)| {
+            let quantile = ChiSquared::new(*degrees).map_or(0.0, |chi| chi.inverse_cdf(share));
+            (variance * (1.0 - degrees / quantile)).powi(2)
+        });
+        squares.sum::<f64>().sqrt()
     };
-    let end = |share: f64| (variance * degrees / chi.inverse_cdf(share)).sqrt();
-    let interval = |tail: f64| [end(1.0 - tail), end(tail)];
+    let interval = |tail: f64| {
+        [
+            (sum - off(1.0 - tail)).max(0.0).sqrt(),
+            (sum + off(tail)).sqrt(),
+        ]
+    };
+    let scatter = parts
+        .iter()
+        .map(|(variance, degrees)| 2.0 * variance.powi(2) / degrees);
     Estimate {
         value,
-        sd: value / (2.0 * degrees).sqrt(),
+        sd: if value > 0.0 {
+            scatter.sum::<f64>().sqrt() / (2.0 * value)
+        } else {
+            0.0
+        },
         interval68: interval(0.158_655),
         interval95: interval(0.025),
     }
