@@ -143,7 +143,7 @@ job-damaged = { $count ->
     [one] Une ligne de { $file } est endommagée et ne compte pas ; `bouncelab job show` nomme chaque son sans ligne.
    *[other] { $count } lignes de { $file } sont endommagées et ne comptent pas ; `bouncelab job show` nomme chaque son sans ligne.
 }
-job-uncounted = { $file } est conservé mais ne compte pas : il n'a pas été inscrit, comme après une interruption. Si son essai est complet, { $command } le compte.
+job-uncounted = { $file } est conservé mais ne compte pas : il n’a pas été inscrit, comme après une interruption. Si son essai est complet, { $command } le compte.
 
 balls-numbers = { $ball }, contact { $contact }
 balls-words = aussi : { $words }

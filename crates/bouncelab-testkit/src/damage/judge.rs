@@ -104,6 +104,7 @@ pub fn is_warned(recording: &Recording) -> bool {
                 | Code::ChecksumWrong
                 | Code::RateInDoubt
                 | Code::FormatChanges
+                | Code::EarlierImpact
         )
     })
 }

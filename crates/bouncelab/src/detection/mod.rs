@@ -129,6 +129,11 @@ impl Detection {
             let at_once = Diagnostic::new(Code::DropsAtOnce);
             at_once.with("start_s", start_s).with("end_s", end_s)
         }));
+        diagnostics.extend(self.found.trains.iter().filter_map(|train| {
+            let earlier =
+                Diagnostic::new(Code::EarlierImpact).with("time_s", train.alike_before_s?);
+            Some(earlier.with("start_s", train.start_s()))
+        }));
         let near = self
             .found
             .trains

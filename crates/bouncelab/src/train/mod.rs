@@ -75,6 +75,8 @@ pub struct Train {
     log_bayes_factor: f64,
     /// Sounds near it that are nearly as loud as its loudest impact, and belong to no train.
     pub(crate) unused: usize,
+    /// Time in seconds of a sound before it that is like its first impact: perhaps an earlier impact whose flight fits badly.
+    pub(crate) alike_before_s: Option<f64>,
 }
 
 impl Train {
@@ -128,6 +130,15 @@ impl Train {
         let near = self.impacts[after.saturating_sub(1)..].iter().take(2);
         near.map(|impact| (impact.onset.time_s - time_s).abs())
             .fold(f64::INFINITY, f64::min)
+    }
+
+    /// The flight before the first impact, if there was one and the flights shrink as the first two do, in seconds.
+    fn earlier_flight_s(&self) -> f64 {
+        let flight_s = |pair: &[TrainImpact]| {
+            let flights = f64::from(pair[1].number - pair[0].number);
+            (pair[1].onset.time_s - pair[0].onset.time_s) / flights
+        };
+        flight_s(&self.impacts[..2]) / ratio_near(&self.impacts, 0)
     }
 
     /// The level of its loudest impact, in dB.

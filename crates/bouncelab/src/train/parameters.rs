@@ -67,6 +67,8 @@ pub(super) const MIN_FALL_S: f64 = 0.35;
 pub(super) const UNUSED_REACH_S: f64 = 1.0;
 /// Maximum difference of their level from that of the loudest impact, dB.
 pub(super) const UNUSED_BELOW_DB: f64 = 3.0;
+/// How far the flight after an earlier impact may differ from the expected one, as a share of it: sound may have been lost.
+pub(super) const EARLIER_FLIGHT_REACH: f64 = 0.12;
 /// Number of them from which they are reported: one or two are a hand, a step or a click.
 pub(crate) const MIN_UNUSED: usize = 3;
 

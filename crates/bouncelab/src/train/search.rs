@@ -5,9 +5,10 @@ use super::chain::{self, Chain, Link};
 use super::evidence::{self, Span};
 use super::parameters::{
     AGREEING_IMPACTS, AGREEING_OTHERS, AGREEING_SOUNDS, COMPARED_MARGIN_S, COMPARED_REACH_S,
-    CONCURRENT_REACH_S, CROWD_REACH_S, FOLLOWING_REACH_S, ISOLATION_REACH_S, LN_CONCURRENT,
-    LN_CONTINUES, LN_RHYTHM, MAX_COMPARED, MAX_DOUBT, MAX_FAINT_ONSETS, MIN_CANDIDATE_EVIDENCE,
-    MIN_CANDIDATE_IMPACTS, MIN_EVIDENCE, MIN_FALL_S, UNUSED_BELOW_DB, UNUSED_REACH_S,
+    CONCURRENT_REACH_S, CROWD_REACH_S, EARLIER_FLIGHT_REACH, FOLLOWING_REACH_S, ISOLATION_REACH_S,
+    LN_CONCURRENT, LN_CONTINUES, LN_RHYTHM, MAX_COMPARED, MAX_DOUBT, MAX_FAINT_ONSETS,
+    MIN_CANDIDATE_EVIDENCE, MIN_CANDIDATE_IMPACTS, MIN_EVIDENCE, MIN_FALL_S, UNUSED_BELOW_DB,
+    UNUSED_REACH_S,
 };
 use super::rhythm::{self, Pulse};
 use super::{MIN_IMPACTS, Onset, PeriodicSequence, Train, TrainImpact, TrainSearch};
@@ -34,7 +35,7 @@ pub(crate) fn search(onsets: &[Onset], span: Span, read: Read, result: &mut Trai
     let mut new = result.trains.split_off(before);
     add_concurrent(&informative, span, read, &mut new);
     join(&mut new);
-    count_unused(&informative, &mut new);
+    note_unused(&informative, &mut new);
     let is_found = |candidate: &Train| new.iter().any(|train| train.is_same_drop(candidate));
     result.candidates.retain(|candidate| !is_found(candidate));
     result.trains.append(&mut new);
@@ -130,6 +131,7 @@ fn best(onsets: &[Onset], span: Span, read: Read, ln_prior: f64) -> Option<Best>
         evidence,
         log_bayes_factor,
         unused: 0,
+        alike_before_s: None,
     }))
 }
 
@@ -154,6 +156,7 @@ fn candidate(onsets: &[Onset], span: Span, read: Read) -> Option<Train> {
         evidence,
         log_bayes_factor: chain.evidence,
         unused: 0,
+        alike_before_s: None,
     })
 }
 
@@ -204,8 +207,9 @@ fn join(trains: &mut Vec<Train>) {
     }
 }
 
-/// Counts the sounds near each train that are nearly as loud as its loudest impact, and belong to no train.
-fn count_unused(onsets: &[Onset], trains: &mut [Train]) {
+/// Notes the sounds near each train that belong to no train: how many are nearly as loud as its loudest impact, and whether one
+/// may be an earlier impact.
+fn note_unused(onsets: &[Onset], trains: &mut [Train]) {
     let is_used = |onset: &Onset| trains.iter().any(|train| train.has(onset));
     let unused: Vec<&Onset> = onsets.iter().filter(|onset| !is_used(onset)).collect();
     for train in trains {
@@ -213,6 +217,17 @@ fn count_unused(onsets: &[Onset], trains: &mut [Train]) {
         let min_db = train.loudest_db() - UNUSED_BELOW_DB;
         let is_loud = |o: &&&Onset| near_s.contains(&o.time_s) && o.level_db > min_db;
         train.unused = unused.iter().filter(is_loud).count();
+        let first = &train.impacts[0].onset;
+        let flight_s = train.earlier_flight_s();
+        let may_be_s = first.time_s - (1.0 + EARLIER_FLIGHT_REACH) * flight_s
+            ..first.time_s - (1.0 - EARLIER_FLIGHT_REACH) * flight_s;
+        let is_earlier = |o: &&&Onset| {
+            may_be_s.contains(&o.time_s)
+                && o.level_db > first.level_db - UNUSED_BELOW_DB
+                && evidence::ln_alike(o, first) > 0.0
+        };
+        let earlier = unused.iter().filter(is_earlier).next_back();
+        train.alike_before_s = earlier.map(|onset| onset.time_s);
     }
 }
 
