@@ -43,7 +43,7 @@ const ELSEWHERE: [(&str, Elsewhere); 24] = [
         Check("fresh"),
     ),
     ("cargo run --release -- demo", Check("fresh")),
-    ("cargo xtask damage", MEASURED),
+    ("cargo xtask damage step=2", MEASURED),
     ("cargo xtask detection", MEASURED),
     ("cargo xtask laboratory /tmp/laboratory 10000", MEASURED),
     ("cargo xtask laboratory target/laboratory 240", MEASURED),
