@@ -4,9 +4,9 @@ import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { fixture } from './harness/fixture.ts';
-import { dropFile, open, settled, still, tryDemo } from './support/page.ts';
+import { answers, dropFile, open, settled, still, tryDemo } from './support/page.ts';
 import { picture } from './support/pictures.ts';
-import { drop, hearing } from './support/sounds.ts';
+import { drop, hearing, TRUTH } from './support/sounds.ts';
 import { LANGUAGES, wordsOf } from './support/words.ts';
 
 const here = fixture();
@@ -85,6 +85,20 @@ test('where a ball should have been heard, the page says what helps', async () =
   const notice = page.locator('.summary .notice');
   const box = await notice.boundingBox();
   expect((box?.y ?? 0) + (box?.height ?? 1e4)).toBeLessThan(900);
+  await page.context().close();
+});
+
+test('what may be a drop is offered, and is one once a reader says so', async () => {
+  const { page } = await open(here.browser, here.url);
+  const few = drop('few', TRUTH.restitution, '--bounces', '3');
+  await dropFile(page, 'few.wav', readFileSync(few));
+  await page.getByText(/Possibly a drop from \d+\.\d s: 4 impacts/).waitFor();
+  await page.getByRole('button', { name: 'It is a drop' }).click();
+  await settled(page);
+  const { kept } = await answers(page);
+  expect(Math.abs(kept.value - 100 * TRUTH.restitution)).toBeLessThan(3.5 * kept.sd);
+  await page.getByRole('button', { name: 'Undo', exact: true }).first().click();
+  await page.getByRole('button', { name: 'It is a drop' }).waitFor();
   await page.context().close();
 });
 

@@ -180,7 +180,8 @@ export class Lab {
       name: recording.name,
       source,
       strongest_band,
-      diagnostics,
+      // What may be a drop is offered by the page itself.
+      diagnostics: diagnostics.filter(({ code }) => code !== 'possible-drop'),
       no_drop,
       drops: drops ?? asDetected,
       settings,

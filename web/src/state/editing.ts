@@ -144,8 +144,8 @@ export function restore(): void {
   keepSelection();
 }
 
-/** Impacts that a hand had set before. */
-export function setMarks(kept: DropMarks): void {
+/** Impacts that a hand had set before, or that were only possibly a drop. */
+export function setMarks(kept: Pick<DropMarks, 'impacts'>): void {
   update((drop) => advance(drop, marksOf(kept.impacts)));
 }
 

@@ -6,11 +6,15 @@ import { folder, synth } from '../harness/program.ts';
 
 export const TRUTH = { restitution: 0.93, heightM: 0.305 } as const;
 
-/** A drop as WAV, made by `bouncelab synth`. */
-export function drop(name: string, restitution: number = TRUTH.restitution): string {
+/** A drop as WAV, made by `bouncelab synth`, with further options of it. */
+export function drop(
+  name: string,
+  restitution: number = TRUTH.restitution,
+  ...more: string[]
+): string {
   const truth = ['--height', `${TRUTH.heightM}m`, '--restitution', String(restitution)];
   const scene = ['--lead-in', '1s', '--tail', '3s', '--sample-rate', '48000', '--bits', '16'];
-  return synth(join(folder(), `${name}.wav`), ...truth, ...scene).path;
+  return synth(join(folder(), `${name}.wav`), ...truth, ...scene, ...more).path;
 }
 
 /**

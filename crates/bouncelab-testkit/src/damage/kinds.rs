@@ -171,7 +171,7 @@ fn frames(file: &[u8]) -> Vec<Range<usize>> {
         // Behind the tag with which programs begin.
         [b'I', b'D', b'3', ..] | [0xff, ..] => {
             let first = starts(file, 2, |it| it[0] == 0xff && it[1] >= 0xe2);
-            let len = |at: usize| frame_len(&file[at..]);
+            let len = |at: usize| frame_len(file.get(at..)?);
             let chain = std::iter::successors(first.first().copied(), |&at| Some(at + len(at)?));
             chain.take_while(|&at| at < file.len()).collect()
         }

@@ -298,11 +298,10 @@ impl<'a> Fitting<'a> {
         let frame = Frame::new(Basis::covering(whole), factors);
         let mut fitted = Vec::new();
         for ((levels, sums), range_m_s) in groups.iter().zip(ranges) {
-            let ball = sums.ball();
             let of_ball = groups
                 .iter()
                 .map(|(_, other)| other)
-                .filter(|other| other.ball() == ball);
+                .filter(|other| other.balls() == sums.balls());
             let inputs = GroupSums::inputs(of_ball);
             let cells = cells(&frame, &first_effects, sums);
             fitted.push(FittedGroup {
@@ -587,8 +586,8 @@ impl<'a> Fitting<'a> {
             fit.linear(&along)
         });
         let constant = constant[0] - constant[1];
-        let [one, other] = pair.map(|group| self.groups[group].sums.ball());
-        let same = one == other && one.is_some();
+        let [one, other] = pair.map(|group| self.groups[group].sums.balls());
+        let same = one == other && one.len() == 1;
         let mixture = distribution(
             &of,
             Some((&less, same)),

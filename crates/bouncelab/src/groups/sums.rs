@@ -37,9 +37,9 @@ pub(super) fn scatter_at(index: usize) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(super) struct Basis {
-    /// The first knot, in units of [`KNOTS`].
+    /// The first and the last knot, in units of [`KNOTS`].
     first: i32,
-    intervals: usize,
+    last: i32,
 }
 
 impl Basis {
@@ -49,29 +49,32 @@ impl Basis {
         let last = (fastest_m_s.ln() / KNOTS).ceil() as i32;
         Self {
             first,
-            intervals: (last - first).max(1) as usize,
+            last: last.max(first + 1),
         }
     }
 
     /// The narrowest basis that has the functions of both.
     pub(super) fn joined(self, other: Self) -> Self {
-        let last = |of: Self| of.first + of.intervals as i32;
-        let first = self.first.min(other.first);
         Self {
-            first,
-            intervals: (last(self).max(last(other)) - first) as usize,
+            first: self.first.min(other.first),
+            last: self.last.max(other.last),
         }
+    }
+
+    fn intervals(&self) -> usize {
+        (self.last - self.first) as usize
     }
 
     /// Number of functions.
     pub(super) fn len(&self) -> usize {
-        self.intervals + 3
+        self.intervals() + 3
     }
 
     /// The functions at a speed; beyond the knots they stay.
     pub(super) fn at(&self, speed_m_s: f64) -> DVector<f64> {
-        let x = (speed_m_s.ln() / KNOTS - f64::from(self.first)).clamp(0.0, self.intervals as f64);
-        let interval = (x as usize).min(self.intervals - 1);
+        let x =
+            (speed_m_s.ln() / KNOTS - f64::from(self.first)).clamp(0.0, self.intervals() as f64);
+        let interval = (x as usize).min(self.intervals() - 1);
         let t = x - interval as f64;
         let mut values = DVector::zeros(self.len());
         let rest = 1.0 - t;
@@ -348,12 +351,9 @@ impl GroupSums {
         &mut self.cells[place].1
     }
 
-    /// The ball that all drops are of, which may have no name; `None` if they mix balls.
-    pub(super) fn ball(&self) -> Option<Option<usize>> {
-        self.balls
-            .first()
-            .copied()
-            .filter(|_| self.balls.len() == 1)
+    /// The balls that the drops are of, `None` being one without a name.
+    pub(super) fn balls(&self) -> &BTreeSet<Option<usize>> {
+        &self.balls
     }
 
     /// Typical scatter from impact to impact, relative: the geometric mean.

@@ -192,16 +192,23 @@ fn vectors_side_by_side_are_as_probable_as_alone() {
     });
 }
 
-/// What each interval adds is the likelihood, but for the constant that it leaves out.
+/// What the release and each interval add is the likelihood, but for the constant that it leaves out.
 #[test]
 fn densities_of_intervals_add_up() {
     with_model(&impacts(), |model, vector| {
         let point = model.point(vector).unwrap();
         let trials = model.trials_at(&[point]).unwrap();
-        let whole = model.log_likelihood(&trials, &mut |_, _| {}).0[0];
+        let mut release = None;
+        let mut report = |step: &Step<1>, _: &End<1>| {
+            let width = step.tail.width() * step.factor[2];
+            let density = step.tail.log_density(step.square) - width.ln() * 0.5;
+            release.get_or_insert(density.0[0]);
+        };
+        let whole = model.log_likelihood(&trials, &mut report).0[0];
         let densities = model.log_densities(&[point]).unwrap();
         let sum: f64 = densities.iter().map(|density| density.0[0]).sum();
         let constant = 0.5 * std::f64::consts::TAU.ln() * densities.len() as f64;
-        assert!((sum + constant - whole).abs() < 1e-9, "{sum} {whole}");
+        let all = release.unwrap() + sum + constant;
+        assert!((all - whole).abs() < 1e-9, "{all} {whole}");
     });
 }
