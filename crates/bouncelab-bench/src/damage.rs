@@ -74,14 +74,14 @@ pub fn run(arguments: &[String]) -> Result {
         for (sum, count) in sums.iter_mut().flatten().zip(row.iter().flatten()) {
             *sum += count;
         }
-        println!("| `{name}` | {} |", cells(row));
+        println!("| `{name}` | {} |", cells(&row));
     }
-    println!("| all | {} |", cells(sums));
+    println!("| all | {} |", cells(&sums));
     Ok(())
 }
 
 /// Numbers of cases that are right, warned of, refused and wrong, for each damage.
-fn cells(row: [[usize; 4]; Damage::ALL.len()]) -> String {
+fn cells(row: &[[usize; 4]; Damage::ALL.len()]) -> String {
     row.map(|counts| counts.map(|count| count.to_string()).join(" · "))
         .join(" | ")
 }

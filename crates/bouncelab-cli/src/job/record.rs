@@ -200,7 +200,7 @@ impl Job {
         };
         let journal = job.journal()?;
         job.damaged = journal.damaged();
-        for event in journal.all(&events()).map_err(of_journal)? {
+        for event in journal.all(&events()).map_err(|fault| of_journal(&fault))? {
             job.apply(event);
         }
         Ok(job)
@@ -208,7 +208,7 @@ impl Job {
 
     /// The journal, for a moment: while it is open, others wait who listen, add or show.
     fn journal(&self) -> Result<Journal, Failure> {
-        Journal::open_in_turn(&self.folder).map_err(of_journal)
+        Journal::open_in_turn(&self.folder).map_err(|fault| of_journal(&fault))
     }
 
     fn apply(&mut self, event: Event) {
@@ -250,7 +250,11 @@ impl Job {
             return Err(Failure::Input(format!("{}: {changed}", Plain::path(&path))));
         }
         let (name, key) = (recorded.name(), recorded.key(settings));
-        if let Some(known) = self.journal()?.read(&name, &key).map_err(of_journal)? {
+        if let Some(known) = self
+            .journal()?
+            .read(&name, &key)
+            .map_err(|fault| of_journal(&fault))?
+        {
             return Ok(known);
         }
         let made = make(&path)?;
@@ -374,7 +378,7 @@ impl Job {
         let written = journal
             .append(name, key, result)
             .and_then(|()| journal.sync());
-        written.map_err(of_journal)
+        written.map_err(|fault| of_journal(&fault))
     }
 
     /// The journal's file.
@@ -389,6 +393,6 @@ fn events() -> Hash {
 }
 
 /// The advice of a session, which names another folder for its output, is none for a job.
-fn of_journal(fault: bouncelab_session::Error) -> Failure {
+fn of_journal(fault: &bouncelab_session::Error) -> Failure {
     Failure::Input(fault.to_string())
 }

@@ -35,7 +35,7 @@ impl Height {
         effects: &Effects,
         inputs: &Inputs,
     ) -> Option<Self> {
-        let (rows, height) = (Rows::new(&frame.basis, evidence), evidence.height.as_ref()?);
+        let (rows, height) = (Rows::new(frame.basis, evidence), evidence.height.as_ref()?);
         let len = frame.basis.len();
         let k = rows.shrinkage(group.likeliest().scatter);
         let along = rows.table.tr_mul(&rows.level);

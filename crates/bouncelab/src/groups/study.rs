@@ -413,7 +413,7 @@ impl<'a> Fitting<'a> {
     /// The level of a drop above that of its group and operators: that of its readings v - X β - a o - L z, by least squares.
     fn off(&self, group: usize, evidence: &CurveEvidence, effects: &[usize]) -> Measured {
         let group = &self.groups[group];
-        let rows = Rows::new(&self.frame.basis, evidence);
+        let rows = Rows::new(self.frame.basis, evidence);
         let len = self.frame.basis.len();
         let along = rows.table.tr_mul(&rows.level);
         let linear = group.fit.likeliest_linear(&along.rows(0, len).into_owned());

@@ -61,17 +61,17 @@ impl Basis {
         }
     }
 
-    fn intervals(&self) -> usize {
+    fn intervals(self) -> usize {
         (self.last - self.first) as usize
     }
 
     /// Number of functions.
-    pub(super) fn len(&self) -> usize {
+    pub(super) fn len(self) -> usize {
         self.intervals() + 3
     }
 
     /// The functions at a speed; beyond the knots they stay.
-    pub(super) fn at(&self, speed_m_s: f64) -> DVector<f64> {
+    pub(super) fn at(self, speed_m_s: f64) -> DVector<f64> {
         let x =
             (speed_m_s.ln() / KNOTS - f64::from(self.first)).clamp(0.0, self.intervals() as f64);
         let interval = (x as usize).min(self.intervals() - 1);
@@ -87,7 +87,7 @@ impl Basis {
 
     /// The precision of the coefficients before the data: the slope walks at random, so second differences have the variance
     /// WALK² KNOTS³; level and mean slope are nearly free.
-    pub(super) fn prior(&self) -> DMatrix<f64> {
+    pub(super) fn prior(self) -> DMatrix<f64> {
         let len = self.len();
         let mut precision = DMatrix::zeros(len, len);
         let mut add = |row: DVector<f64>, sd: f64| {
@@ -116,7 +116,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    pub(super) fn new(basis: &Basis, evidence: &CurveEvidence) -> Self {
+    pub(super) fn new(basis: Basis, evidence: &CurveEvidence) -> Self {
         let functions = evidence.speeds_m_s.iter().map(|&speed| basis.at(speed));
         let functions = DMatrix::from_columns(&functions.collect::<Vec<_>>());
         let len = basis.len();
@@ -185,7 +185,7 @@ impl Sums {
         if basis != self.basis {
             *self = self.over(basis);
         }
-        let rows = Rows::new(&basis, evidence);
+        let rows = Rows::new(basis, evidence);
         self.drops += 1;
         self.plain.gemm_tr(1.0, &rows.table, &rows.table, 1.0);
         self.own_variance += 1.0 / rows.precision();

@@ -226,7 +226,7 @@ fn note_unused(onsets: &[Onset], trains: &mut [Train]) {
                 && o.level_db > first.level_db - UNUSED_BELOW_DB
                 && evidence::ln_alike(o, first) > 0.0
         };
-        let earlier = unused.iter().filter(is_earlier).next_back();
+        let earlier = unused.iter().rfind(is_earlier);
         train.alike_before_s = earlier.map(|onset| onset.time_s);
     }
 }
