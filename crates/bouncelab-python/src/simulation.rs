@@ -90,7 +90,6 @@ impl Request {
             }
             Law::Each(each) => {
                 let kept = |impact: usize, _| scattered(each[impact]);
-                let stop = stop.or_after(each.len());
                 drop::simulate_each(&model, contact_time_s, kept, start, stop)?
             }
         };

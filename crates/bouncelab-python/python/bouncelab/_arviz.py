@@ -3,26 +3,38 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from bouncelab._errors import imported
 
 if TYPE_CHECKING:
+    import numpy as np
     from arviz import InferenceData
-
-    from bouncelab._recording import Draws
+    from numpy.typing import NDArray
 
 #: The coordinate of each axis.
 AXES = {"impact": "impact", "interval": "interval", "speed": "speed_m_s"}
 
 
-def inference_data(draws: Draws) -> InferenceData:
-    """Return all that is known of a posterior."""
+def inference_data(
+    unknowns: str, answers: Mapping[str, tuple[str, NDArray[np.generic]]], about: Mapping[str, object]
+) -> InferenceData:
+    """Return all that is known of a posterior.
+
+    Parameters
+    ----------
+    unknowns : str
+        What the core says of them.
+    answers : mapping
+        Unit and draws of each answer.
+    about : mapping
+        Attributes of every group.
+    """
     arviz = imported("arviz", "arviz")
     import numpy as np
 
-    drop, recording = draws._drop, draws._drop._recording
-    drawn, order, kinds = json.loads(recording._ask("drawn_unknowns", drop._place))
+    drawn, order, kinds = json.loads(unknowns)
     dims: dict[str, list[str]] = {}
     units: dict[str, str] = {}
 
@@ -41,10 +53,9 @@ def inference_data(draws: Draws) -> InferenceData:
 
     numbers = drawn["impacts"]
     coordinates = {"impact": numbers, "interval": numbers[:-1], "speed_m_s": drawn["speeds_m_s"]}
-    answers = {column.name: draws[column.name][None] for column in draws.columns}
-    units |= {column.name: column.unit for column in draws.columns}
+    units |= {name: unit for name, (unit, _) in answers.items()}
     groups = {
-        "posterior": of(drawn["posterior"], order) | answers,
+        "posterior": of(drawn["posterior"], order) | {name: values[None] for name, (_, values) in answers.items()},
         "posterior_predictive": of([drawn["replicated"]], order),
         "prior": of(drawn["prior"], slice(None)),
         "log_likelihood": of([drawn["log_likelihood"]], order),
@@ -55,19 +66,10 @@ def inference_data(draws: Draws) -> InferenceData:
     is_new = int(arviz.__version__.split(".")[0]) >= 1
     given: dict[str, Any] = {"coords": coordinates, "dims": dims}
     data: InferenceData = arviz.from_dict(groups, **given) if is_new else arviz.from_dict(**groups, **given)
-    document = recording._document
-    about = {
-        "recording": recording.name,
-        "bouncelab": str(document["bouncelab"]),
-        "settings": json.dumps(document["settings"]),
-        "restitution_speed_m_s": drop.posterior.at_speed_m_s,
-        "balls": json.dumps([kind or "stated" for kind in kinds]),
-        "effective_draws": drop.posterior.sampling.effective_draws,
-        "pareto_shape": drop.posterior.sampling.pareto_shape,
-    }
+    balls = json.dumps([kind or "stated" for kind in kinds])
     for name, variables in groups.items():
         group = data[name]
-        group.attrs.update(about)
+        group.attrs.update(about, balls=balls)
         for variable in variables:
             unit = units[variable] if name != "log_likelihood" else ""
             group[variable].attrs["units"] = unit or "1"

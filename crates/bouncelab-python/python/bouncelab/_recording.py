@@ -512,7 +512,18 @@ class Draws(Table):
             the density of each given those before it. ``sample_stats`` has the ball, the number of impacts missed before
             the first, and whether that is left out as another sound. Attributes state units, settings and version.
         """
-        return inference_data(self)
+        drop, recording = self._drop, self._drop._recording
+        document, sampling = recording._document, drop.posterior.sampling
+        about: dict[str, object] = {
+            "recording": recording.name,
+            "bouncelab": str(document["bouncelab"]),
+            "settings": json.dumps(document["settings"]),
+            "restitution_speed_m_s": drop.posterior.at_speed_m_s,
+            "effective_draws": sampling.effective_draws,
+            "pareto_shape": sampling.pareto_shape,
+        }
+        answers = {column.name: (column.unit, self[column.name]) for column in self.columns}
+        return inference_data(recording._ask("drawn_unknowns", drop._place), answers, about)
 
     def __reduce__(self) -> tuple[type[Draws], tuple[Drop]]:  # type: ignore[override]
         return (Draws, (self._drop,))

@@ -4,6 +4,7 @@ A :class:`Kernel` takes batches of recordings and gives batches of rows, one for
 Spark (:func:`analyze_frame`, :mod:`bouncelab.spark`) or Ray (:mod:`bouncelab.ray`) spreads them over a cluster and writes
 them as Parquet; :func:`explode` and :func:`study` read that. It takes pyarrow.
 """
+# pyright: reportMissingImports=false
 
 from __future__ import annotations
 
