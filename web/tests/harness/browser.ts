@@ -52,7 +52,7 @@ export interface Options {
 }
 
 /** The Chromium of the tests. */
-export function chromiumHere(): string {
+function chromiumHere(): string {
   const found = process.env['BOUNCELAB_CHROMIUM'] ?? PLACES.find((place) => existsSync(place));
   if (found === undefined) {
     throw new Error('there is no Chromium here; install it, or name it in BOUNCELAB_CHROMIUM');
