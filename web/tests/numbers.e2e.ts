@@ -33,14 +33,24 @@ function detected(path: string): RecordingResult {
 }
 
 function request(name: string, found: RecordingResult, settings: Settings): AnalysisRequest {
-  const { source, strongest_band, diagnostics, no_drop } = found;
+  const { source, strongest_band, diagnostics, no_drop, candidates } = found;
   const drops = found.drops.map(({ impacts, probability }) => ({
     impacts,
     probability,
     edited: false,
   }));
   const inference = true;
-  return { name, source, strongest_band, diagnostics, no_drop, drops, settings, inference };
+  return {
+    name,
+    source,
+    strongest_band,
+    diagnostics,
+    no_drop,
+    candidates,
+    drops,
+    settings,
+    inference,
+  };
 }
 
 const english = () => new science.Translator('en', []);

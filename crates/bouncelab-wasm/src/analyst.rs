@@ -66,6 +66,7 @@ impl Analyst {
         let drops = plan.tasks().iter().map(|task| self.drop(task)).collect();
         let mut result = plan.finish(drops);
         result.strongest_band = request.strongest_band;
+        result.candidates.clone_from(&request.candidates);
         let of_recording = request.diagnostics.iter().cloned();
         result.diagnostics.splice(0..0, of_recording);
         if result.no_drop.is_some() && request.no_drop.is_some() {

@@ -141,6 +141,8 @@ pub struct AnalysisRequest {
     pub diagnostics: Vec<Diagnostic>,
     /// Why there was no drop in it.
     pub no_drop: Option<Diagnostic>,
+    /// What may be another drop in it.
+    pub candidates: Vec<DropCandidate>,
     /// The drops.
     pub drops: Vec<DropMarks>,
     /// Ball, air, gravity and other settings.

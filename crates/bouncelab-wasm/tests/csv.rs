@@ -18,6 +18,7 @@ fn no_spreadsheet_runs_the_name_of_a_recording() {
         strongest_band: None,
         diagnostics: Vec::new(),
         no_drop: None,
+        candidates: Vec::new(),
         drops: vec![DropMarks {
             impacts: result.drops[0].impacts.clone(),
             probability: 1.0,

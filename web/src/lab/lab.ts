@@ -170,7 +170,14 @@ export class Lab {
 
   /** The drops of a recording as they were detected, or edited, ready to be analysed. */
   request(recording: Recording, settings: Settings, drops?: DropMarks[]): AnalysisRequest {
-    const { source, strongest_band, diagnostics, no_drop, drops: detected } = recording.result;
+    const {
+      source,
+      strongest_band,
+      diagnostics,
+      no_drop,
+      candidates,
+      drops: detected,
+    } = recording.result;
     const asDetected = detected.map(({ impacts, probability }) => ({
       impacts,
       probability,
@@ -183,6 +190,7 @@ export class Lab {
       // What may be a drop is offered by the page itself.
       diagnostics: diagnostics.filter(({ code }) => code !== 'possible-drop'),
       no_drop,
+      candidates,
       drops: drops ?? asDetected,
       settings,
       inference: true,
