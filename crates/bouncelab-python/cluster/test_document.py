@@ -40,7 +40,7 @@ def shell(command: str, environment: dict[str, str]) -> str:
 
 
 def places(few: Path, folder: Path) -> dict[str, str]:
-    here = {"/results": f"{folder}/results", "/manifest": f"{folder}/manifest", "/tables": f"{folder}/tables"}
+    here = {name: f"{folder}{name}" for name in ("/frame", "/results", "/manifest", "/tables")}
     # As the names of the files are.
     here |= {"{ball_number}_{surface}_{height}_{}": "{surface}_{height}_{}", "1.0)": "1.5)"}
     return {"/recordings": str(few), **here}
@@ -63,8 +63,9 @@ def test_spark(few: Path, tmp_path: Path, tmp_path_factory: pytest.TempPathFacto
             patch.setenv(name, value)
         session = spark_session(spark.url)
         found: dict[str, object] = {}
-        [code] = blocks("python", "SparkSession", places(few, example))
-        exec(compile(code, str(DOCUMENT), "exec"), found)
+        for word in ("SparkSession", "spark.analyze"):
+            [code] = blocks("python", word, places(few, example))
+            exec(compile(code, str(DOCUMENT), "exec"), found)
         assert found["means"].count() == 3  # type: ignore[attr-defined]
         session.stop()
 
