@@ -80,6 +80,17 @@ pub struct Train {
 }
 
 impl Train {
+    /// A train of which nothing is noted of the sounds around it.
+    fn new(impacts: Vec<TrainImpact>, evidence: f64, log_bayes_factor: f64) -> Self {
+        Self {
+            impacts,
+            evidence,
+            log_bayes_factor,
+            unused: 0,
+            alike_before_s: None,
+        }
+    }
+
     /// The detected impacts in order of time: at least [`MIN_IMPACTS`], of a candidate at least three.
     pub fn impacts(&self) -> &[TrainImpact] {
         &self.impacts
@@ -132,12 +143,8 @@ impl Train {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// The flight before the first impact, if there was one and the flights shrink as the first two do, in seconds.
+    /// The flight before the first impact, if there was one and the flights shrink as the first few do, in seconds.
     fn earlier_flight_s(&self) -> f64 {
-        let flight_s = |pair: &[TrainImpact]| {
-            let flights = f64::from(pair[1].number - pair[0].number);
-            (pair[1].onset.time_s - pair[0].onset.time_s) / flights
-        };
         flight_s(&self.impacts[..2]) / ratio_near(&self.impacts, 0)
     }
 
@@ -223,10 +230,6 @@ impl Train {
     /// Appends a later train if that is the same ball, some of whose impacts were not detected: its first flight is the
     /// expected one if the flights in between shrink by a constant ratio.
     fn continue_with(&mut self, later: &Self) -> bool {
-        let flight_s = |pair: &[TrainImpact]| {
-            let flights = f64::from(pair[1].number - pair[0].number);
-            (pair[1].onset.time_s - pair[0].onset.time_s) / flights
-        };
         let last = self.impacts.len() - 1;
         let ratio = ratio_near(&self.impacts, last);
         if ratio >= 1.0 {
@@ -268,6 +271,12 @@ impl Train {
             });
         median(levels).unwrap_or(f64::NEG_INFINITY)
     }
+}
+
+/// The time between two impacts, divided by the number of flights in it, in seconds.
+fn flight_s(pair: &[TrainImpact]) -> f64 {
+    let flights = f64::from(pair[1].number - pair[0].number);
+    (pair[1].onset.time_s - pair[0].onset.time_s) / flights
 }
 
 /// The result of a search for trains.
@@ -390,10 +399,7 @@ pub fn find(onsets: &[Onset]) -> TrainSearch {
 pub fn latest_next_s(impacts: &[TrainImpact]) -> f64 {
     let last_flight_s = impacts
         .windows(2)
-        .map(|pair| {
-            let flights = f64::from(pair[1].number - pair[0].number);
-            (pair[1].onset.time_s - pair[0].onset.time_s) / flights
-        })
+        .map(flight_s)
         .next_back()
         .unwrap_or(MAX_INTERVAL_S);
     let last_s = impacts.last().map_or(0.0, |impact| impact.onset.time_s);

@@ -18,10 +18,10 @@ pub(super) const MIN_EVIDENCE: f64 = 0.0;
 pub(super) const MIN_CANDIDATE_EVIDENCE: f64 = -4.6;
 /// Minimum number of impacts of such a train: two flights show whether they shrink.
 pub(super) const MIN_CANDIDATE_IMPACTS: usize = 3;
-/// Time after a train in which one that begins before the same ball could fall again is searched for, s.
-pub(super) const FOLLOWING_REACH_S: f64 = 5.0;
 /// Maximum number of such trains of a recording.
 pub(super) const MAX_CANDIDATES: usize = 3;
+/// Time after a train in which one that begins before the same ball could fall again is searched for, s.
+pub(super) const FOLLOWING_REACH_S: f64 = 5.0;
 /// Maximum size of the evidence at which the waveforms are compared, nats: they contribute no more than this.
 pub(super) const MAX_DOUBT: f64 = 8.0;
 /// Minimum difference of level at equal impact speed from which a train is another ball farther away, dB: 12 dB are four
@@ -67,10 +67,10 @@ pub(super) const MIN_FALL_S: f64 = 0.35;
 pub(super) const UNUSED_REACH_S: f64 = 1.0;
 /// Maximum difference of their level from that of the loudest impact, dB.
 pub(super) const UNUSED_BELOW_DB: f64 = 3.0;
-/// How far the flight after an earlier impact may differ from the expected one, as a share of it: sound may have been lost.
-pub(super) const EARLIER_FLIGHT_REACH: f64 = 0.12;
 /// Number of them from which they are reported: one or two are a hand, a step or a click.
 pub(crate) const MIN_UNUSED: usize = 3;
+/// How far the flight after an earlier impact may differ from the expected one, as a share of it: sound may have been lost.
+pub(super) const EARLIER_FLIGHT_REACH: f64 = 0.12;
 
 // Crowds of faint onsets.
 

@@ -1,7 +1,7 @@
 //! The search for trains among onsets.
 
 use super::align;
-use super::chain::{self, Chain, Link};
+use super::chain::{self, Chain, Chains, Link};
 use super::evidence::{self, Span};
 use super::parameters::{
     AGREEING_IMPACTS, AGREEING_OTHERS, AGREEING_SOUNDS, COMPARED_MARGIN_S, COMPARED_REACH_S,
@@ -62,9 +62,10 @@ fn informative(onsets: &[Onset]) -> Vec<Onset> {
 
 /// Takes the best train and searches again before and after it.
 fn search_among(onsets: &[Onset], span: Span, read: Read, result: &mut TrainSearch) {
-    let best = match best(onsets, span, read, 0.0) {
+    let chains = Chains::of(onsets, span);
+    let best = match best(&chains, read, 0.0) {
         None => {
-            result.add_candidates(candidate(onsets, span, read));
+            result.add_candidates(candidate(&chains, read));
             return;
         }
         Some(Best::Rhythm(links)) => {
@@ -89,7 +90,7 @@ fn search_among(onsets: &[Onset], span: Span, read: Read, result: &mut TrainSear
     let follows = index_after(end_s) < index_after(next_s);
     let soon = &onsets[index_after(end_s)..index_after(end_s + FOLLOWING_REACH_S)];
     if follows {
-        result.add_candidates(candidate(soon, later(end_s), read));
+        result.add_candidates(candidate(&Chains::of(soon, later(end_s)), read));
     }
     search_among(&onsets[index_after(next_s)..], later(next_s), read, result);
 }
@@ -102,11 +103,9 @@ enum Best {
 
 /// The best chain, if it is more likely than chance; `ln_prior` is the logarithm of the prior odds of a drop here over
 /// those anywhere.
-fn best(onsets: &[Onset], span: Span, read: Read, ln_prior: f64) -> Option<Best> {
-    if onsets.len() < MIN_IMPACTS {
-        return None;
-    }
-    let mut chain = chain::best(onsets, span, MIN_IMPACTS)?;
+fn best(chains: &Chains, read: Read, ln_prior: f64) -> Option<Best> {
+    let onsets = chains.onsets;
+    let mut chain = chains.best(MIN_IMPACTS)?;
     let rhythm = chain.end_at_rhythm(onsets);
     chain.evidence += ln_prior;
     weigh_sounds(&mut chain, onsets, read);
@@ -116,9 +115,7 @@ fn best(onsets: &[Onset], span: Span, read: Read, ln_prior: f64) -> Option<Best>
     // Further impacts first, because the rhythm explains all of them too.
     chain.extend(onsets, 0.0);
     chain.end_at_rhythm(onsets);
-    let beats = chain::beats(onsets, &chain.links);
-    let over_rhythm = chain.ln_flights(onsets) - rhythm::ln_likelihood(&beats) - LN_RHYTHM;
-    let evidence = over_both(chain.evidence, over_rhythm);
+    let evidence = over_chance_and_rhythm(onsets, &chain);
     if evidence < MIN_EVIDENCE {
         return Some(Best::Rhythm(chain.links));
     }
@@ -126,13 +123,8 @@ fn best(onsets: &[Onset], span: Span, read: Read, ln_prior: f64) -> Option<Best>
     let log_bayes_factor = chain.evidence;
     chain.extend(onsets, LN_CONTINUES);
     chain.end_at_rhythm(onsets);
-    Some(Best::Drop(Train {
-        impacts: impacts(onsets, &chain),
-        evidence,
-        log_bayes_factor,
-        unused: 0,
-        alike_before_s: None,
-    }))
+    let impacts = impacts(onsets, &chain);
+    Some(Best::Drop(Train::new(impacts, evidence, log_bayes_factor)))
 }
 
 /// Adds the evidence of the sounds of a chain to that of its times.
@@ -144,20 +136,14 @@ fn weigh_sounds(chain: &mut Chain, onsets: &[Onset], read: Read) {
 }
 
 /// The best chain among onsets without a drop, also of fewer impacts, if it is not much less likely than chance.
-fn candidate(onsets: &[Onset], span: Span, read: Read) -> Option<Train> {
-    let mut chain = chain::best(onsets, span, MIN_CANDIDATE_IMPACTS)?;
+fn candidate(chains: &Chains, read: Read) -> Option<Train> {
+    let onsets = chains.onsets;
+    let mut chain = chains.best(MIN_CANDIDATE_IMPACTS)?;
     weigh_sounds(&mut chain, onsets, read);
-    let beats = chain::beats(onsets, &chain.links);
-    let over_rhythm = chain.ln_flights(onsets) - rhythm::ln_likelihood(&beats) - LN_RHYTHM;
     // More evidence than of chance has only a chain that is too short for a drop.
-    let evidence = over_both(chain.evidence, over_rhythm).min(MIN_EVIDENCE);
-    (evidence > MIN_CANDIDATE_EVIDENCE).then(|| Train {
-        impacts: impacts(onsets, &chain),
-        evidence,
-        log_bayes_factor: chain.evidence,
-        unused: 0,
-        alike_before_s: None,
-    })
+    let evidence = over_chance_and_rhythm(onsets, &chain).min(MIN_EVIDENCE);
+    (evidence > MIN_CANDIDATE_EVIDENCE)
+        .then(|| Train::new(impacts(onsets, &chain), evidence, chain.evidence))
 }
 
 /// Adds the drops that share their time with these: other balls that bounce concurrently.
@@ -170,7 +156,7 @@ fn add_concurrent(onsets: &[Onset], span: Span, read: Read, trains: &mut Vec<Tra
         let taken: Vec<&Train> = trains.iter().filter(|it| train.is_concurrent(it)).collect();
         let is_free = |onset: &&Onset| !taken.iter().any(|it| it.has(onset));
         let free: Vec<Onset> = onsets[first..end].iter().filter(is_free).copied().collect();
-        let candidate = match best(&free, span, read, LN_CONCURRENT) {
+        let candidate = match best(&Chains::of(&free, span), read, LN_CONCURRENT) {
             Some(Best::Drop(other)) if train.is_concurrent(&other) && !other.echoes(train) => other,
             _ => {
                 index += 1;
@@ -327,6 +313,13 @@ fn ln_share((count, of): (usize, usize), (a, b): (f64, f64)) -> f64 {
     ln_beta(a + agreeing, b + others) - ln_beta(a, b)
 }
 
+/// Evidence for a drop over both chance and a rhythm.
+fn over_chance_and_rhythm(onsets: &[Onset], chain: &Chain) -> f64 {
+    let beats = chain::beats(onsets, &chain.links);
+    let over_rhythm = chain.ln_flights(onsets) - rhythm::ln_likelihood(&beats) - LN_RHYTHM;
+    over_both(chain.evidence, over_rhythm)
+}
+
 /// Evidence for an explanation over the sum of two others, given that over each of them: with odds x and y it is
 /// 1/(1/x + 1/y).
 fn over_both(one: f64, other: f64) -> f64 {
@@ -386,7 +379,8 @@ mod tests {
         let mut times_s = [impacts_s, others_s].concat();
         times_s.sort_by(f64::total_cmp);
         let onsets: Vec<Onset> = times_s.into_iter().map(Onset::click).collect();
-        let chain = chain::best(&onsets, Span::UNBOUNDED, MIN_IMPACTS).unwrap();
+        let chains = Chains::of(&onsets, Span::UNBOUNDED);
+        let chain = chains.best(MIN_IMPACTS).unwrap();
         assert_eq!(chain.links.len(), 6);
         agreement(&onsets, &chain, read)
     }

@@ -22,10 +22,19 @@ use crate::stats::sort_by_number;
 use hypothesis::{Hypothesis, State, Step, Transition};
 
 /// A sequence of onsets that may be the impacts of a drop.
-pub(super) struct Chain {
+pub(super) struct Chain<'s> {
     pub(super) links: Vec<Link>,
     pub(super) evidence: f64,
+    around: &'s [Surroundings],
+}
+
+/// All chains of some onsets that are worth pursuing.
+pub(super) struct Chains<'o> {
+    pub(super) onsets: &'o [Onset],
     around: Vec<Surroundings>,
+    nodes: Vec<(State, Origin)>,
+    /// The nodes that end at onset j are `nodes[ends[j]..ends[j + 1]]`.
+    ends: Vec<usize>,
 }
 
 /// One onset of a chain and its number, missed impacts counted.
@@ -66,49 +75,59 @@ pub(crate) fn work(onsets: &[Onset]) -> u64 {
     before.map(|before| before * before).sum()
 }
 
-/// The chain with the most evidence, if any has at least this many impacts.
-pub(super) fn best(onsets: &[Onset], span: Span, min_impacts: usize) -> Option<Chain> {
-    let around = Surroundings::of(onsets, span);
-    let mut nodes: Vec<(State, Origin)> = Vec::new();
-    // The nodes that end at onset j are nodes[ends[j]..ends[j + 1]].
-    let mut ends = vec![0];
-    for later in 0..onsets.len() {
-        for earlier in (0..later).rev() {
-            let interval_s = onsets[later].time_s - onsets[earlier].time_s;
-            if interval_s > MAX_INTERVAL_S {
-                break;
+impl<'o> Chains<'o> {
+    /// The search among onsets, which are all of this span.
+    pub(super) fn of(onsets: &'o [Onset], span: Span) -> Self {
+        let around = Surroundings::of(onsets, span);
+        let mut nodes: Vec<(State, Origin)> = Vec::new();
+        let mut ends = vec![0];
+        for later in 0..onsets.len() {
+            for earlier in (0..later).rev() {
+                let interval_s = onsets[later].time_s - onsets[earlier].time_s;
+                if interval_s > MAX_INTERVAL_S {
+                    break;
+                }
+                if interval_s < MIN_FLIGHT_S {
+                    continue;
+                }
+                let step = Step::new(onsets, &around, (earlier, later));
+                if step.common < MIN_STEP_EVIDENCE {
+                    continue;
+                }
+                let before = ends[earlier]..ends[earlier + 1];
+                let mut survivors = survivors(&nodes, before, earlier, &step);
+                // A drop begins with its loudest impacts; only later ones may be faint.
+                if onsets[earlier].stands_out() && onsets[later].stands_out() {
+                    let with_origin = |hypothesis| (hypothesis, Origin::initial(earlier));
+                    survivors.extend(Hypothesis::initial(&step, &around[earlier]).map(with_origin));
+                }
+                // Only survivors get their predictions, which are the expensive part of a state.
+                let node = |(hypothesis, origin)| (State::new(hypothesis), origin);
+                nodes.extend(survivors.into_iter().map(node));
             }
-            if interval_s < MIN_FLIGHT_S {
-                continue;
-            }
-            let step = Step::new(onsets, &around, (earlier, later));
-            if step.common < MIN_STEP_EVIDENCE {
-                continue;
-            }
-            let before = ends[earlier]..ends[earlier + 1];
-            let mut survivors = survivors(&nodes, before, earlier, &step);
-            // A drop begins with its loudest impacts; only later ones may be faint.
-            if onsets[earlier].stands_out() && onsets[later].stands_out() {
-                let with_origin = |hypothesis| (hypothesis, Origin::initial(earlier));
-                survivors.extend(Hypothesis::initial(&step, &around[earlier]).map(with_origin));
-            }
-            // Only survivors get their predictions, which are the expensive part of a state.
-            let node = |(hypothesis, origin)| (State::new(hypothesis), origin);
-            nodes.extend(survivors.into_iter().map(node));
+            ends.push(nodes.len());
         }
-        ends.push(nodes.len());
+        Self {
+            onsets,
+            around,
+            nodes,
+            ends,
+        }
     }
-    let hypothesis = |node: usize| &nodes[node].0.hypothesis;
-    let end = (0..nodes.len())
-        .filter(|&node| hypothesis(node).impacts() >= min_impacts)
-        .max_by(|&a, &b| hypothesis(a).evidence.total_cmp(&hypothesis(b).evidence))?;
-    let last_onset = ends.partition_point(|&e| e <= end) - 1;
-    let evidence = hypothesis(end).evidence;
-    Some(Chain {
-        links: trace(&nodes, end, last_onset),
-        evidence,
-        around,
-    })
+
+    /// The chain with the most evidence, if any has at least this many impacts.
+    pub(super) fn best(&self, min_impacts: usize) -> Option<Chain<'_>> {
+        let hypothesis = |node: usize| &self.nodes[node].0.hypothesis;
+        let end = (0..self.nodes.len())
+            .filter(|&node| hypothesis(node).impacts() >= min_impacts)
+            .max_by(|&a, &b| hypothesis(a).evidence.total_cmp(&hypothesis(b).evidence))?;
+        let last_onset = self.ends.partition_point(|&e| e <= end) - 1;
+        Some(Chain {
+            links: trace(&self.nodes, end, last_onset),
+            evidence: hypothesis(end).evidence,
+            around: &self.around,
+        })
+    }
 }
 
 /// The best hypotheses that end with a pair of onsets, one for each ratio that may follow it.
@@ -232,7 +251,7 @@ pub(super) fn beats(onsets: &[Onset], links: &[Link]) -> Vec<Beat> {
     links.windows(2).map(beat).collect()
 }
 
-impl Chain {
+impl Chain<'_> {
     /// The evidence that remains if the onset at each index is taken for a missed impact.
     pub(super) fn evidence_without_each(&self, onsets: &[Onset]) -> Vec<f64> {
         let transitions = self.transitions(onsets);
@@ -354,7 +373,7 @@ impl Chain {
     fn transition(&self, onsets: &[Onset], from: Link, to: Link) -> Transition {
         Transition {
             from: from.onset,
-            step: Step::new(onsets, &self.around, (from.onset, to.onset)),
+            step: Step::new(onsets, self.around, (from.onset, to.onset)),
             missed: (to.number - from.number - 1) as usize,
         }
     }
@@ -381,7 +400,7 @@ impl Chain {
             let mut best: Option<(Hypothesis, Link)> = None;
             for (ahead, _) in near.enumerate() {
                 let onset = last.onset + 1 + ahead;
-                let mut step = Step::new(onsets, &self.around, (last.onset, onset));
+                let mut step = Step::new(onsets, self.around, (last.onset, onset));
                 if step.interval_s < MIN_FLIGHT_S {
                     continue;
                 }
