@@ -1,16 +1,13 @@
 /** The package for pages of others: `npm run package`. */
 import { defineConfig } from 'vite';
+import { OUTPUT, WORKER } from '../build/output.ts';
 
 export default defineConfig({
   root: import.meta.dirname,
   // Wherever the package lies, its parts lie beside it.
   base: './',
   build: {
-    target: 'es2022',
-    outDir: 'dist',
-    emptyOutDir: true,
-    assetsInlineLimit: 0,
-    reportCompressedSize: false,
+    ...OUTPUT,
     modulePreload: false,
     rollupOptions: {
       input: 'src/index.ts',
@@ -19,6 +16,6 @@ export default defineConfig({
       output: { entryFileNames: 'bouncelab.js' },
     },
   },
-  worker: { format: 'es' },
+  worker: WORKER,
   logLevel: 'warn',
 });
