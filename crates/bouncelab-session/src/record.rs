@@ -22,7 +22,7 @@ pub const RECORD: &str = "bouncelab.record/4";
 pub struct Record {
     /// Its drops, in order of time.
     pub drops: Vec<DropRecord>,
-    /// Why there is none.
+    /// Why no drop was found.
     pub no_drop: Option<Diagnostic>,
     /// Why it could not be read or analysed.
     pub failure: Option<String>,

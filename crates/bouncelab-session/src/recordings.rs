@@ -239,7 +239,7 @@ impl Session {
         notes
     }
 
-    /// The fields in the name of a file; `None` if it does not match the pattern, or there is none.
+    /// The fields in the name of a file; `None` if the name does not match the pattern, or no pattern was stated.
     fn fields_of_name(&self, index: usize) -> Option<Vec<(&str, String)>> {
         let stem = self.recordings[index].file().file_stem()?.to_str()?;
         self.pattern.as_ref()?.fields(stem)
@@ -435,8 +435,8 @@ fn is_list(path: &Path) -> bool {
     path.to_str().is_some_and(times::is_list)
 }
 
-/// The files that are lists of one drop each, or damaged ones. A file of other content is none, and a stopwatch exports
-/// the same run as `Simple`, `Multiple` and, most of it, `All`.
+/// The files that are lists of one drop each, or damaged ones. Files of other content are left out, and so are `Simple` and
+/// `Multiple` beside `All`: a stopwatch exports the same run as each of them, and `All` has most of it.
 fn whole_lists(mut found: Vec<RecordingFile>) -> Vec<RecordingFile> {
     let has_stem =
         |found: &RecordingFile, stem| found.file().file_stem().is_some_and(|own| own == stem);

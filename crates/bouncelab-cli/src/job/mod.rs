@@ -164,22 +164,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 fast: *fast,
                 device: device.clone(),
             };
-            // Without an end for the microphone: it stops when all places have their drops.
-            if from.is_empty() {
-                listen(
-                    folder,
-                    *place,
-                    operator,
-                    std::iter::repeat_with(|| source(None)),
-                )
+            let sources: Box<dyn Iterator<Item = Source>> = if from.is_empty() {
+                // The microphone has no end: it stops when all places have their drops.
+                Box::new(std::iter::repeat_with(|| source(None)))
             } else {
-                listen(
-                    folder,
-                    *place,
-                    operator,
-                    from.iter().map(|from| source(Some(from))),
-                )
-            }
+                Box::new(from.iter().map(|from| source(Some(from))))
+            };
+            listen(folder, *place, operator, sources)
         }
         What::Repeat {
             folder,

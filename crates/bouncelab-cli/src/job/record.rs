@@ -392,7 +392,7 @@ fn events() -> Hash {
     hash(SCHEMA.as_bytes())
 }
 
-/// The advice of a session, which names another folder for its output, is none for a job.
+/// A fault of the journal, without what a session advises: a job cannot name another folder for its output.
 fn of_journal(fault: &bouncelab_session::Error) -> Failure {
     Failure::Input(fault.to_string())
 }

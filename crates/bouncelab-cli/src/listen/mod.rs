@@ -122,7 +122,10 @@ pub(crate) struct Source {
     /// The microphone, by a part of its name; without one that of the system.
     #[cfg_attr(
         not(feature = "microphone"),
-        expect(dead_code, reason = "without the microphone there is none to choose")
+        expect(
+            dead_code,
+            reason = "a program built without the microphone never reads it"
+        )
     )]
     pub(crate) device: Option<String>,
 }
