@@ -1,6 +1,5 @@
 import { defineConfig } from 'vitest/config';
 import { compressed } from './build/compress.ts';
-import { lessons } from './build/lessons.ts';
 import { OUTPUT, WORKER } from './build/output.ts';
 import { contentSecurityPolicy } from './build/policy.ts';
 import { precache } from './build/precache.ts';
@@ -8,12 +7,7 @@ import { precache } from './build/precache.ts';
 export default defineConfig({
   // Static files that work in any folder of any web server.
   base: './',
-  plugins: [
-    contentSecurityPolicy(),
-    lessons({ folder: '../docs/lessons' }),
-    precache({ source: 'src/sw.ts' }),
-    compressed(),
-  ],
+  plugins: [contentSecurityPolicy(), precache({ source: 'src/sw.ts' }), compressed()],
   build: OUTPUT,
   worker: WORKER,
   test: {

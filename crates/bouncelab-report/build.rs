@@ -2,7 +2,7 @@
 //! a language.
 //!
 //! What the page in a browser says by itself, it reads by itself. The engine in a browser gets English
-//! only, without what a terminal or a lesson sheet says; the page loads the other languages when a reader
+//! only, without what a terminal or a lesson sheet says; the page loads those of sheets and the other languages when a reader
 //! chooses them.
 
 #![expect(clippy::disallowed_methods, reason = "names of files of the project")]

@@ -24,9 +24,8 @@ const files = readdirSync(DIST, { recursive: true, withFileTypes: true })
   .sort((a, b) => b.gzip - a.gzip);
 
 /**
- * Scripts that are imported on demand (other languages, the drawing of charts), the lesson sheets, the pictures of
- * the manifest, and the decoders,
- * which come when a file is opened or when the page has nothing else to do.
+ * Scripts that are imported on demand (other languages, the drawing of charts), the pictures of the manifest, and the
+ * decoders, which come when a file is opened or when the page has nothing else to do.
  */
 const onDemand = readdirSync(new URL('assets/', DIST_URL))
   .filter((name) => name.endsWith('.js'))
@@ -37,7 +36,7 @@ const onDemand = readdirSync(new URL('assets/', DIST_URL))
   ])
   .map(([, name]) => name.replace(/-.{8}\.js$/, ''));
 const isLater = (name) =>
-  /^(assets\/decoders|lessons\/|screenshot-)/.test(name) ||
+  /^(assets\/decoders|screenshot-)/.test(name) ||
   onDemand.some((stem) => name.startsWith(`assets/${stem}-`));
 
 const sum = (name, some) => {

@@ -2,7 +2,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { BlobReader, BlobWriter, ZipWriter } from '@zip.js/zip.js/lib/zip-core-custom.js';
-import type { Page } from 'playwright-core';
+import type { Locator, Page } from 'playwright-core';
 import { beforeAll, expect, test } from 'vitest';
 import { fixture } from './harness/fixture.ts';
 import { folder, synth } from './harness/program.ts';
@@ -142,14 +142,32 @@ test.each([
   ['es-ES', '¿Cuánto rebota una pelota?'],
 ] as const)('lesson sheets print on two pages, %s', async (locale, title) => {
   const { page, troubles } = await open(here.browser, `${here.url}#drops`, { locale });
-  const links = page.locator('a[href^="lessons/"]');
-  expect(await links.first().innerText()).toBe(title);
-  const addresses = await links.evaluateAll((all) => all.map((a) => (a as HTMLAnchorElement).href));
-  expect(addresses.length).toBe(3);
-  for (const address of addresses) {
-    await page.goto(address);
-    expect(await printedPages(page, 'A4'), address).toBe(2);
-    expect(await violations(page), address).toEqual([]);
+  await page.locator('.lesson > summary').click();
+  await page.locator('.lesson').getByRole('checkbox').first().check();
+  const address = await page.locator('.shared code').innerText();
+  const code = (path: Locator) => path.getAttribute('d');
+  const sheets = page.locator('section[aria-labelledby=sheets] li');
+  expect(await sheets.first().innerText()).toContain(title);
+  expect(await sheets.count()).toBe(3);
+  for (const index of [0, 1, 2]) {
+    const [print, edit] = await sheets.nth(index).getByRole('button').all();
+    if (!print || !edit) throw new Error('a sheet has two forms');
+    const file = await savedBy(print);
+    const text = readFileSync(await savedBy(edit), 'utf8');
+    const paper = await page.context().newPage();
+    await paper.goto(`file://${file}`);
+    expect(await printedPages(paper, 'A4'), file).toBe(2);
+    expect(await violations(paper), file).toEqual([]);
+    const pupils = paper.locator('section').first();
+    expect(await pupils.innerText()).toContain(address);
+    // The code that `lesson.e2e.ts` reads with a camera.
+    expect(await code(pupils.locator('.picture path').last())).toBe(
+      await code(page.locator('.shared .qr path')),
+    );
+    expect(text).toMatch(/^# .+/);
+    expect(text.replaceAll('\\', '')).toContain(address);
+    expect(text.match(/^!\[.+\]$/gm)?.length).toBe(2);
+    await paper.close();
   }
   expect(troubles).toEqual([]);
   await page.context().close();

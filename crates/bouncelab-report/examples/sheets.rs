@@ -7,18 +7,17 @@
 use std::path::PathBuf;
 
 use bouncelab_report::messages::{Translator, languages};
-use bouncelab_report::sheets::{STYLE, Sheet, style};
+use bouncelab_report::sheets::Sheet;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = std::env::args_os().nth(1).map(PathBuf::from);
     let folder = folder.ok_or("give a folder: cargo run --example sheets -- FOLDER")?;
     std::fs::create_dir_all(&folder)?;
-    std::fs::write(folder.join(STYLE), style())?;
     for language in languages() {
         let translator = Translator::new(language).ok_or("a language has no messages")?;
         for sheet in Sheet::ALL {
             let name = format!("{}.{language}.html", sheet.name());
-            std::fs::write(folder.join(name), sheet.html(&translator)?)?;
+            std::fs::write(folder.join(name), sheet.html(None, &translator)?)?;
         }
     }
     Ok(())

@@ -82,7 +82,6 @@ pub mod rules;
 #[cfg(all(feature = "pictures", not(target_family = "wasm")))]
 mod save;
 mod scale;
-#[cfg(not(target_family = "wasm"))]
 pub mod sheets;
 mod table;
 pub mod tables;

@@ -55,6 +55,18 @@ pub struct LinkedDrop {
     pub times_s: Vec<f64>,
 }
 
+/// A link, such as that of a drop, with its QR code.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "typescript", derive(ts_rs::TS))]
+pub struct DropLink {
+    /// The whole address.
+    pub address: String,
+    /// Modules on each side of its QR code.
+    pub modules: u32,
+    /// The dark modules, as a path of SVG.
+    pub path: String,
+}
+
 /// Why there is no link of a drop, or no drop of a link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, thiserror::Error)]
 #[cfg_attr(feature = "typescript", derive(ts_rs::TS))]

@@ -1,34 +1,38 @@
 //! Lesson sheets: two pages of A4 each, the first for pupils, the second for the teacher, with what to expect, computed.
 //!
-//! `docs/lessons` has them in every language, with their [style](style()).
+//! The page makes them, with its own address; `docs/lessons` has them in every language with a blank in its place.
 //!
 //! ```
 //! use bouncelab_report::messages::Translator;
 //! use bouncelab_report::sheets::Sheet;
 //!
-//! let html = Sheet::Gravity.html(&Translator::english())?;
+//! let html = Sheet::Gravity.html(None, &Translator::english())?;
 //! assert!(html.contains("Measure g with a ball"));
 //! # Ok::<(), bouncelab::Error>(())
 //! ```
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use bouncelab::Result;
 use bouncelab::drop::{self, Bounce, Start, Stop};
 use bouncelab::gravity::STANDARD_M_S2;
 use bouncelab::restitution::{Contact, Restitution};
 use bouncelab::settings::Settings;
-use maud::{DOCTYPE, Markup, html};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use crate::digits::with_minus;
-use crate::mark::MARK;
+use crate::link::DropLink;
+use crate::mark::{COMMENT, MARK};
 use crate::messages::{Translator, Value};
+use crate::report::html::{POLICY, STYLE};
+use crate::report::markdown::{escaped, of_table};
+use crate::table::{Align, Table};
 
-/// The name of the style, a file in the folder of the sheets: the page allows no styles within.
-pub const STYLE: &str = "sheet.css";
+/// Besides the style of reports.
+const SHEET_STYLE: &str = include_str!("sheets.css");
 
-/// The style of the sheets: that of reports, and what they have besides.
-pub fn style() -> String {
-    [include_str!("report/style.css"), include_str!("sheets.css")].concat()
-}
+/// Where pupils write an address by hand.
+const BLANK: &str = "__________________________________________";
 
 /// The ball of most sheets.
 const LIGHT: &str = "table-tennis-40";
@@ -93,71 +97,124 @@ impl Sheet {
         }
     }
 
-    /// The sheet as HTML, which prints on two pages.
+    /// The sheet with this name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|sheet| sheet.name() == name)
+    }
+
+    /// The sheet as HTML, which prints on two pages; with the address of the page that pupils use, if it is known.
     ///
     /// # Errors
     ///
     /// None: all numbers of the sheets are within their ranges.
-    pub fn html(self, translator: &Translator) -> Result<String> {
-        let contents = self.contents(translator)?;
-        let id = |part: &str| format!("sheet-{}-{part}", self.name());
-        let text = |part: &str| translator.text_with(&id(part), &contents.values);
-        let all = |part: &str| {
-            let ids = (1..).map(|number| id(&format!("{part}-{number}")));
-            let known = ids.take_while(|id| translator.has(id));
-            known
-                .map(|id| translator.text_with(&id, &contents.values))
-                .collect::<Vec<_>>()
-        };
-        let (headings, count) = &contents.to_fill;
-        let blank = vec![Vec::new(); *count];
+    pub fn html(self, page: Option<&DropLink>, translator: &Translator) -> Result<String> {
+        let [pupils, teacher] = self.pages(page, translator)?;
+        let title = translator.text(&self.id("title"));
         let page = html! {
             (DOCTYPE)
             html lang=(translator.language()) {
                 head {
                     meta charset="utf-8";
+                    meta http-equiv="Content-Security-Policy" content=(POLICY);
                     meta name="viewport" content="width=device-width, initial-scale=1";
                     meta name="color-scheme" content="light dark";
                     meta name="generator" content=(MARK);
-                    title { (text("title")) }
+                    title { (title) }
                     link rel="icon" href="data:,";
-                    link rel="stylesheet" href=(STYLE);
+                    style { (PreEscaped(STYLE)) (PreEscaped(SHEET_STYLE)) }
                 }
                 body {
                     main {
-                        section {
-                            h1 { (text("title")) }
-                            p .fields { (translator.text("sheet-fields")) }
-                            p .first { (text("aim")) }
-                            (set_up(translator))
-                            h2 { (translator.text("sheet-need")) }
-                            ul { @for item in all("need") { li { (item) } } }
-                            h2 { (translator.text("sheet-do")) }
-                            ol { @for item in all("do") { li { (item) } } }
-                            h2 { (translator.text("sheet-write")) }
-                            (table(translator, headings, &blank))
-                            h2 { (translator.text("sheet-work")) }
-                            ol { @for item in all("work") { li { (item) } } }
-                            h2 { (translator.text("sheet-talk")) }
-                            ol { @for item in all("talk") { li { (item) } } }
-                        }
-                        section .second {
-                            h2 { (translator.text("sheet-teacher")) }
-                            ul {
-                                @for item in all("teacher") { li { (item) } }
-                                li { (translator.text("sheet-teacher-quiet")) }
-                                li { (translator.text("sheet-teacher-collect")) }
-                            }
-                            h2 { (translator.text("sheet-expected")) }
-                            p { (text("see")) }
-                            (table(translator, &contents.expected.0, &contents.expected.1))
-                            p .subtitle { (translator.text("sheet-expected-made")) }
-                        }
+                        section { h1 { (title) } @for piece in &pupils { (piece.html()) } }
+                        section .second { @for piece in &teacher { (piece.html()) } }
                     }
                 }
             }
         };
         Ok(page.into_string())
+    }
+
+    /// The sheet as Markdown, to be edited; its pictures are part of it.
+    ///
+    /// # Errors
+    ///
+    /// None: all numbers of the sheets are within their ranges.
+    pub fn markdown(self, page: Option<&DropLink>, translator: &Translator) -> Result<String> {
+        let title = format!("# {}", escaped(&translator.text(&self.id("title"))));
+        let pieces = self.pages(page, translator)?.into_iter().flatten();
+        let mut pictures = Vec::new();
+        let mut blocks = vec![title];
+        for piece in pieces {
+            if let Piece::Picture { svg, words } = &piece {
+                let data = STANDARD.encode(svg.0.as_bytes());
+                pictures.push(format!("[{words}]: data:image/svg+xml;base64,{data}"));
+            }
+            blocks.push(piece.markdown());
+        }
+        // Their long lines disturb least at the end.
+        blocks.extend(pictures);
+        blocks.push(COMMENT.to_owned());
+        Ok(blocks.join("\n\n") + "\n")
+    }
+
+    /// The id of a message of this sheet.
+    fn id(self, part: &str) -> String {
+        format!("sheet-{}-{part}", self.name())
+    }
+
+    /// What stands on the page of the pupils, and on that of the teacher.
+    fn pages(self, page: Option<&DropLink>, translator: &Translator) -> Result<[Vec<Piece>; 2]> {
+        let contents = self.contents(translator)?;
+        let text = |part: &str| translator.text_with(&self.id(part), &contents.values);
+        let all = |part: &str| -> Vec<String> {
+            let ids = (1..).map(|number| self.id(&format!("{part}-{number}")));
+            let known = ids.take_while(|id| translator.has(id));
+            known
+                .map(|id| translator.text_with(&id, &contents.values))
+                .collect()
+        };
+        let heading = |id: &str| Piece::Heading(translator.text(id));
+        let (headings, count) = &contents.to_fill;
+        let blank = vec![Vec::new(); *count];
+        let address = page.map_or(BLANK, |page| &page.address);
+        let mut pupils = vec![
+            Piece::Text(translator.text("sheet-fields")),
+            Piece::Text(translator.text_with("sheet-page", &[("address", address.into())])),
+            Piece::Picture {
+                svg: set_up(),
+                words: translator.text("sheet-set-up"),
+            },
+        ];
+        pupils.extend(page.map(|page| Piece::Picture {
+            svg: qr_code(page),
+            words: translator.text("sheet-qr-code"),
+        }));
+        pupils.extend([
+            Piece::Lead(text("aim")),
+            heading("sheet-need"),
+            Piece::Bullets(all("need")),
+            heading("sheet-do"),
+            Piece::Steps(all("do")),
+            heading("sheet-write"),
+            Piece::Table(table(translator, headings, blank)),
+            heading("sheet-work"),
+            Piece::Steps(all("work")),
+            heading("sheet-talk"),
+            Piece::Steps(all("talk")),
+        ]);
+        let mut hints = all("teacher");
+        hints
+            .extend(["quiet", "collect"].map(|id| translator.text(&format!("sheet-teacher-{id}"))));
+        let (headings, rows) = contents.expected;
+        let teacher = vec![
+            heading("sheet-teacher"),
+            Piece::Bullets(hints),
+            heading("sheet-expected"),
+            Piece::Text(text("see")),
+            Piece::Table(table(translator, &headings, rows)),
+            Piece::Text(translator.text("sheet-expected-made")),
+        ];
+        Ok([pupils, teacher])
     }
 
     fn contents(self, translator: &Translator) -> Result<Contents> {
@@ -350,10 +407,68 @@ fn ball_name(ball: &str, translator: &Translator) -> String {
     translator.text(&format!("sheet-ball-{kind}"))
 }
 
+/// A piece of a sheet.
+enum Piece {
+    Heading(String),
+    Lead(String),
+    Text(String),
+    Bullets(Vec<String>),
+    Steps(Vec<String>),
+    Table(Table),
+    /// A drawing, and what it shows.
+    Picture {
+        svg: PreEscaped<String>,
+        words: String,
+    },
+}
+
+impl Piece {
+    fn html(&self) -> Markup {
+        let items = |items: &[String]| html! { @for item in items { li { (item) } } };
+        match self {
+            Self::Heading(words) => html! { h2 { (words) } },
+            Self::Lead(words) => html! { p .first { (words) } },
+            Self::Text(words) => html! { p { (words) } },
+            Self::Bullets(words) => html! { ul { (items(words)) } },
+            Self::Steps(words) => html! { ol { (items(words)) } },
+            Self::Table(table) => html! {
+                div .table {
+                    table {
+                        thead { tr { @for (name, _) in table.columns() { th scope="col" { (name) } } } }
+                        tbody { @for row in table.rows() { tr { @for cell in row { td { (cell) } } } } }
+                    }
+                }
+            },
+            Self::Picture { svg, words } => {
+                html! { span .picture role="img" aria-label=(words) { (svg) } }
+            }
+        }
+    }
+
+    fn markdown(&self) -> String {
+        let lines = |mark: &str, words: &[String]| {
+            let lines = words
+                .iter()
+                .map(|words| format!("{mark} {}", escaped(words)));
+            lines.collect::<Vec<_>>().join("\n")
+        };
+        match self {
+            Self::Heading(words) => format!("## {}", escaped(words)),
+            Self::Lead(words) => format!("**{}**", escaped(words)),
+            Self::Text(words) => escaped(words),
+            Self::Bullets(words) => lines("-", words),
+            // Markdown counts them.
+            Self::Steps(words) => lines("1.", words),
+            Self::Table(table) => of_table(table),
+            Self::Picture { words, .. } => format!("![{words}]"),
+        }
+    }
+}
+
 /// The set-up: a ball above a floor, its height from the lowest point of the ball, and a phone beside where it lands.
-fn set_up(translator: &Translator) -> Markup {
+fn set_up() -> Markup {
     html! {
-        svg .set-up viewBox="0 0 120 90" role="img" aria-label=(translator.text("sheet-set-up")) {
+        svg xmlns=(SVG) viewBox="0 0 120 90" {
             g fill="none" stroke="currentColor" stroke-width="1.2" {
                 path d="M4 80H116" {}
                 circle cx="60" cy="14" r="7" {}
@@ -367,25 +482,25 @@ fn set_up(translator: &Translator) -> Markup {
     }
 }
 
-fn table(translator: &Translator, headings: &[&str], rows: &[Vec<String>]) -> Markup {
+const SVG: &str = "http://www.w3.org/2000/svg";
+
+/// Black on white, with the margin that readers of codes want.
+fn qr_code(DropLink { modules, path, .. }: &DropLink) -> Markup {
+    const MARGIN: u32 = 4;
+    let side = modules + 2 * MARGIN;
     html! {
-        div .table {
-            table {
-                thead {
-                    tr { @for id in headings {
-                        th scope="col" { (translator.text(&format!("sheet-column-{id}"))) }
-                    } }
-                }
-                tbody {
-                    @for row in rows {
-                        tr {
-                            @for column in 0..headings.len() {
-                                td { (row.get(column).map_or("", String::as_str)) }
-                            }
-                        }
-                    }
-                }
-            }
+        svg xmlns=(SVG) viewBox={ "0 0 " (side) " " (side) } shape-rendering="crispEdges" {
+            rect width=(side) height=(side) fill="white" {}
+            path transform={ "translate(" (MARGIN) " " (MARGIN) ")" } d=(path) fill="black" {}
         }
     }
+}
+
+fn table(translator: &Translator, headings: &[&str], rows: Vec<Vec<String>>) -> Table {
+    let named = |id: &&str| (translator.text(&format!("sheet-column-{id}")), Align::Left);
+    let mut table = Table::new(headings.iter().map(named));
+    for row in rows {
+        table.row(row);
+    }
+    table
 }

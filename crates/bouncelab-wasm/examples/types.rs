@@ -13,7 +13,7 @@ use bouncelab::diagnostic::Argument;
 use bouncelab_audio::{SoundFormat, times};
 use bouncelab_report::Chart;
 use bouncelab_report::document::simulation;
-use bouncelab_report::link::LinkedDrop;
+use bouncelab_report::link::{DropLink, LinkedDrop};
 use bouncelab_report::paper;
 use bouncelab_report::paper::lesson::{PuzzleAnswer, PuzzleChoice};
 use bouncelab_wasm::refusal::Refusal;
@@ -73,7 +73,7 @@ fn declarations() -> String {
     all.declare::<wire::Analysed<'static>>();
     all.declare::<wire::Drawn>();
     all.declare::<LinkedDrop>();
-    all.declare::<wire::DropLink>();
+    all.declare::<DropLink>();
     all.declare::<wire::StudyRequest>();
     all.declare::<wire::Studied>();
     all.declare::<wire::RuleChoice>();

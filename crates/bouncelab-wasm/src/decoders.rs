@@ -10,6 +10,7 @@ use bouncelab_audio::times::TimeList;
 use bouncelab_audio::{Input, SoundReader, Warning};
 use bouncelab_report::figure::{self, DropSummary};
 use bouncelab_report::link::LinkedDrop;
+use bouncelab_report::sheets::Sheet;
 use wasm_bindgen::prelude::*;
 
 use crate::groups;
@@ -138,6 +139,29 @@ pub fn qr_code(address: String) -> Result<String> {
 #[wasm_bindgen(js_name = readQrCode)]
 pub fn read_qr_code(grey: &[u8], width: usize) -> Option<String> {
     link::read_qr_code(grey, width)
+}
+
+/// The lesson sheet of this name for pupils who use the page at this address, as HTML or as Markdown.
+#[expect(
+    clippy::needless_pass_by_value,
+    reason = "JavaScript hands over a vector"
+)]
+#[wasm_bindgen]
+pub fn sheet(
+    name: &str,
+    is_markdown: bool,
+    address: String,
+    code: &str,
+    sources: Vec<String>,
+) -> Result<String> {
+    let translator = translator(code, &sources)?;
+    let sheet = Sheet::named(name).ok_or_else(|| Refusal::fault("there is no such sheet"))?;
+    let page = Some(&link::qr_code(address)?);
+    Ok(if is_markdown {
+        sheet.markdown(page, &translator)?
+    } else {
+        sheet.html(page, &translator)?
+    })
 }
 
 /// The drop of a link.

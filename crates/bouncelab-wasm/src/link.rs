@@ -1,10 +1,9 @@
 //! Links as QR codes: of a drop, or any other.
 
-use bouncelab_report::link::{LinkProblem, LinkedDrop};
+use bouncelab_report::link::{DropLink, LinkProblem, LinkedDrop};
 use qrcodegen::{QrCode, QrCodeEcc};
 
 use crate::refusal::Result;
-use crate::wire::DropLink;
 
 /// The link of a drop, for a page at this address, which ends where the drop begins.
 ///

@@ -333,18 +333,6 @@ pub struct Drawn {
     pub height_px: f64,
 }
 
-/// A link, such as that of a drop, with its QR code.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(not(target_family = "wasm"), derive(TS))]
-pub struct DropLink {
-    /// The whole address.
-    pub address: String,
-    /// Modules on each side of its QR code.
-    pub modules: u32,
-    /// The dark modules, as a path of SVG.
-    pub path: String,
-}
-
 /// How a simulated drop begins, bounces and ends.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(not(target_family = "wasm"), derive(TS))]

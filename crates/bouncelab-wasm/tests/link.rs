@@ -3,9 +3,8 @@
 use std::collections::HashSet;
 
 use bouncelab::settings::Settings;
-use bouncelab_report::link::LinkedDrop;
+use bouncelab_report::link::{DropLink, LinkedDrop};
 use bouncelab_wasm::link::{link, qr_code, read_qr_code};
-use bouncelab_wasm::wire::DropLink;
 
 /// Sixty impacts, photographed: what a phone reads of it is the link.
 #[test]

@@ -37,6 +37,6 @@ export function note(view: View, parameters: URLSearchParams): void {
 }
 
 /** The whole address of a view with parameters, to share. */
-export function addressOf(view: View, parameters: URLSearchParams): string {
+export function addressOf(view: View, parameters?: URLSearchParams): string {
   return location.href.split('#', 1)[0] + hashOf(view, parameters);
 }

@@ -1,9 +1,43 @@
-import { Fragment } from 'preact';
+import { type ComponentChildren, Fragment } from 'preact';
 import { Figure } from '../chart/Figure.tsx';
 import type { Block, Section, Table } from '../lab/index.ts';
+import { text } from '../text/language.ts';
+import { saveText } from './save.ts';
+
+interface ReportedProps {
+  readonly lead: readonly Block[];
+  readonly sections: readonly Section[];
+  /** What the button says that saves the report, and as which file. */
+  readonly label: string;
+  readonly name: string;
+  report(made: string): Promise<string>;
+  /** What else belongs to the details. */
+  readonly children?: ComponentChildren;
+}
+
+/** The beginning of a report, the whole as a file, and its details, folded. */
+export function Reported({ lead, sections, label, name, report, children }: ReportedProps) {
+  const save = async (): Promise<void> =>
+    saveText(await report(new Date().toISOString().slice(0, 10)), 'text/html', `${name}.html`);
+  return (
+    <>
+      <Blocks blocks={lead} />
+      <div>
+        <button type="button" class="quiet no-print" onClick={() => void save()}>
+          {label}
+        </button>
+      </div>
+      <details>
+        <summary>{text('page-class-details')}</summary>
+        <Sections sections={sections} />
+        {children}
+      </details>
+    </>
+  );
+}
 
 /** What a report says, as part of the page; what is words only is folded. */
-export function Sections({ sections }: { readonly sections: readonly Section[] }) {
+function Sections({ sections }: { readonly sections: readonly Section[] }) {
   return (
     <>
       {sections.map(({ heading, blocks }) =>
@@ -23,7 +57,7 @@ export function Sections({ sections }: { readonly sections: readonly Section[] }
   );
 }
 
-export function Blocks({ blocks }: { readonly blocks: readonly Block[] }) {
+function Blocks({ blocks }: { readonly blocks: readonly Block[] }) {
   return (
     <>
       {blocks.map((block, index) => (

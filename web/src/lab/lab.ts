@@ -300,6 +300,13 @@ export class Lab {
     return this.#alone(true, undefined, (connection) => connection.call('qrCode', { address }));
   }
 
+  /** The lesson sheet of this name, as HTML or as Markdown, for pupils who use the page at this address. */
+  sheet(name: string, isMarkdown: boolean, address: string, messages: Messages): Promise<string> {
+    return this.#alone(true, undefined, (connection) =>
+      connection.call('sheet', { name, isMarkdown, address, messages }),
+    );
+  }
+
   /** The text of a QR code in a picture of these grey levels, row by row, if one can be read. */
   readQrCode(grey: Uint8Array, width: number): Promise<string | null> {
     return this.#alone(true, undefined, (connection) =>

@@ -130,6 +130,10 @@ export interface Calls {
   dropLink: { request: { drop: LinkedDrop; page: string }; response: DropLink };
   qrCode: { request: { address: string }; response: DropLink };
   readQrCode: { request: { grey: Uint8Array; width: number }; response: string | null };
+  sheet: {
+    request: { name: string; isMarkdown: boolean; address: string; messages: Messages };
+    response: string;
+  };
   linkedDrop: { request: { code: string }; response: LinkedDrop };
   study: { request: { request: StudyRequest }; response: Studied };
   studyReport: { request: { request: StudyRequest }; response: string };

@@ -171,6 +171,9 @@ const handlers: Handlers = {
   }),
   qrCode: ({ address }) => ({ response: JSON.parse(decoding.qrCode(address)) }),
   readQrCode: ({ grey, width }) => ({ response: decoding.readQrCode(grey, width) ?? null }),
+  sheet: ({ name, isMarkdown, address, messages: { code, sources } }) => ({
+    response: decoding.sheet(name, isMarkdown, address, code, [...sources]),
+  }),
   linkedDrop: ({ code }) => ({ response: JSON.parse(decoding.linkedDrop(code)) }),
 
   study: ({ request }, { messages: { code, sources } }) => ({

@@ -26,6 +26,12 @@ const files = import.meta.glob<string>(
   { query: '?raw', import: 'default' },
 );
 
+/** What lesson sheets are written with, file by file. */
+const ofSheets = import.meta.glob<string>(
+  '../../../crates/bouncelab-report/messages/*/{common,sheets}.ftl',
+  { query: '?raw', import: 'default' },
+);
+
 const codeOf = (path: string): string => path.replace(/^.*\/(.+)\/.+$/, '$1');
 
 /** Codes of all languages, English first. */
@@ -125,6 +131,13 @@ export function preferred(): string {
   const wanted = [recall(KEY) ?? '', ...navigator.languages];
   const codes = wanted.map((tag) => tag.toLowerCase().split(/[-_]/)[0] ?? '');
   return codes.find((code) => languages.includes(code)) ?? FALLBACK;
+}
+
+/** The messages of lesson sheets, in the language of the page. */
+export async function sheetMessages(): Promise<Messages> {
+  const code = language.peek();
+  const own = Object.entries(ofSheets).filter(([path]) => codeOf(path) === code);
+  return { code, sources: await Promise.all(own.map(([, load]) => load())) };
 }
 
 /** The messages of a language, file by file: those of the page, and those of the engine. */

@@ -474,6 +474,9 @@ page-class-sheets = Arbeitsblätter
 page-class-sheet-bounciness = Wie gut springt ein Ball?
 page-class-sheet-air = Wie viel nimmt die Luft?
 page-class-sheet-gravity = Miss g mit einem Ball
+page-class-sheet-html = zum Drucken
+page-class-sheet-markdown = als Text zum Ändern
+page-class-sheets-hint = Auf den Blättern steht die Adresse der Stunde von oben, oder die dieser Seite, solange kein Ball gewählt ist.
 
 page-verdict-title = Nach einer Regel beurteilen
 page-verdict-rule = Regel

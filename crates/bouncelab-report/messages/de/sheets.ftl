@@ -1,5 +1,7 @@
 sheet-fields = Name: _________________________ Klasse: ______________ Datum: ______________
+sheet-page = Die Seite auf deinem Handy: { $address }
 sheet-set-up = Ein Ball über dem Boden, seine Höhe h, und ein Handy daneben
+sheet-qr-code = QR-Code der Seite
 sheet-need = Das brauchst du
 sheet-do = Das tust du
 sheet-write = Schreib auf

@@ -476,6 +476,9 @@ page-class-sheets = Lesson sheets
 page-class-sheet-bounciness = How bouncy is a ball?
 page-class-sheet-air = How much does air take?
 page-class-sheet-gravity = Measure g with a ball
+page-class-sheet-html = to print
+page-class-sheet-markdown = as text to edit
+page-class-sheets-hint = The address on the sheets is that of the lesson above, or of this page while no ball is chosen.
 
 page-verdict-title = Judge by a rule
 page-verdict-rule = Rule

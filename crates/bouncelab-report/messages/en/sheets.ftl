@@ -1,5 +1,7 @@
 sheet-fields = Name: _________________________ Class: ______________ Date: ______________
+sheet-page = The page on your phone: { $address }
 sheet-set-up = A ball above a floor, its height h, and a phone beside it
+sheet-qr-code = QR code of the page
 sheet-need = You need
 sheet-do = What to do
 sheet-write = Write down

@@ -477,6 +477,9 @@ page-class-sheets = Hojas de trabajo
 page-class-sheet-bounciness = ¿Cuánto rebota una pelota?
 page-class-sheet-air = ¿Cuánto se lleva el aire?
 page-class-sheet-gravity = Medir g con una pelota
+page-class-sheet-html = para imprimir
+page-class-sheet-markdown = como texto editable
+page-class-sheets-hint = En las hojas figura la dirección de la clase de arriba, o la de esta página mientras no se elija ninguna pelota.
 
 page-verdict-title = Evaluar según una regla
 page-verdict-rule = Regla

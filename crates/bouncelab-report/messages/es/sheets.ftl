@@ -1,5 +1,7 @@
 sheet-fields = Nombre: _________________________ Clase: ______________ Fecha: ______________
+sheet-page = La página en tu teléfono: { $address }
 sheet-set-up = Una pelota sobre el suelo, su altura h, y un teléfono al lado
+sheet-qr-code = Código QR de la página
 sheet-need = Se necesita
 sheet-do = Qué hacer
 sheet-write = Anota

@@ -477,6 +477,9 @@ page-class-sheets = Fiches de travail
 page-class-sheet-bounciness = Comment une balle rebondit-elle ?
 page-class-sheet-air = Quel est l’effet de l’air ?
 page-class-sheet-gravity = Mesurer g avec une balle
+page-class-sheet-html = à imprimer
+page-class-sheet-markdown = en texte à modifier
+page-class-sheets-hint = Les fiches portent l’adresse de la leçon ci-dessus, ou celle de cette page tant qu’aucune balle n’est choisie.
 
 page-verdict-title = Juger selon une règle
 page-verdict-rule = Règle

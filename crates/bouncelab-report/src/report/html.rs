@@ -11,10 +11,10 @@ use crate::chart::Chart;
 use crate::mark::MARK;
 use crate::table::{Align, Table};
 
-const STYLE: &str = include_str!("style.css");
+pub(crate) const STYLE: &str = include_str!("style.css");
 
 /// Nothing may be fetched and nothing run; the style is in the file.
-const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
+pub(crate) const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:";
 
 impl Page {
     /// The page as a whole file.

@@ -137,7 +137,7 @@ impl Form<'_> {
     }
 }
 
-fn of_table(table: &Table) -> String {
+pub(crate) fn of_table(table: &Table) -> String {
     let row = |cells: &mut dyn Iterator<Item = String>| {
         let mut line = String::from("|");
         for cell in cells {
@@ -171,7 +171,7 @@ fn fenced(text: &str) -> String {
 }
 
 /// The text on one line, so that nothing in it is taken for markup.
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let text = String::from(Plain::of(text));
     let mut safe = String::with_capacity(text.len());
     for (index, letter) in text.char_indices() {

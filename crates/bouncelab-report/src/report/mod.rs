@@ -23,9 +23,9 @@
 mod conditions;
 mod drop;
 mod equation;
-mod html;
+pub(crate) mod html;
 mod input;
-mod markdown;
+pub(crate) mod markdown;
 mod method;
 mod page;
 mod recording;

@@ -24,7 +24,6 @@ import { Gather } from './Gather.tsx';
 import { Groups } from './Groups.tsx';
 import { Judged } from './Judged.tsx';
 import { LessonMaker } from './LessonMaker.tsx';
-import { Sheets } from './Sheets.tsx';
 
 /** The drops that were kept, side by side. */
 export function Drops() {
@@ -64,7 +63,6 @@ export function Drops() {
       </div>
       {!isEmpty && <Judged drops={chosen} />}
       {!isEmpty && <Saving />}
-      <Sheets />
     </div>
   );
 }

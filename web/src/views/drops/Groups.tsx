@@ -1,6 +1,5 @@
 import { useEffect, useState } from 'preact/hooks';
-import { Blocks, Sections } from '../../app/Blocks.tsx';
-import { saveText } from '../../app/save.ts';
+import { Reported } from '../../app/Blocks.tsx';
 import { Figure, useLatest } from '../../chart/Figure.tsx';
 import { complete, FIELDS, fieldName, grouping, studyOf, toggle } from '../../state/comparing.ts';
 import { engine } from '../../state/engine.ts';
@@ -40,24 +39,16 @@ export function Groups({ drops }: { readonly drops: readonly KeptDrop[] }) {
       {studied && (
         <>
           {studied.figure && <Figure chart={studied.figure} />}
-          <Blocks blocks={studied.lead} />
-          <div>
-            <button type="button" class="quiet" onClick={() => void saveReport(drops)}>
-              {text('page-class-report')}
-            </button>
-          </div>
-          <details>
-            <summary>{text('page-class-details')}</summary>
-            <Sections sections={studied.sections} />
+          <Reported
+            {...studied}
+            label={text('page-class-report')}
+            name="bouncelab-drops"
+            report={(made) => engine().studyReport(studyOf(drops, made))}
+          >
             <Comparison drops={drops} />
-          </details>
+          </Reported>
         </>
       )}
     </div>
   );
-}
-
-async function saveReport(drops: readonly KeptDrop[]): Promise<void> {
-  const request = studyOf(drops, new Date().toISOString().slice(0, 10));
-  saveText(await engine().studyReport(request), 'text/html', 'bouncelab-drops.html');
 }

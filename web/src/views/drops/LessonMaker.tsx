@@ -6,6 +6,7 @@ import { useAnswer } from '../../chart/Figure.tsx';
 import { catalogue, engine } from '../../state/engine.ts';
 import { text } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';
+import { Sheets } from './Sheets.tsx';
 
 /** What a teacher gives a lesson: balls, surfaces and heights; it becomes one link for all pupils. */
 export function LessonMaker() {
@@ -17,7 +18,8 @@ export function LessonMaker() {
     surfaces: listed(surfaces, ','),
     heightsM: heightsOf(heights.replaceAll(/,\s/g, ';')),
   };
-  const address = addressOf('lab', lessonToParameters(given));
+  const parameters = balls.length > 0 ? lessonToParameters(given) : undefined;
+  const address = addressOf('lab', parameters);
   const link = useAnswer(
     async () => (balls.length > 0 ? engine().qrCode(address) : undefined),
     address,
@@ -53,6 +55,7 @@ export function LessonMaker() {
           />
         </div>
         {balls.length > 0 && link && <HandOver link={link} label={text('page-lesson-qr')} />}
+        <Sheets address={address} />
       </div>
     </details>
   );

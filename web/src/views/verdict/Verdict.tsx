@@ -1,7 +1,6 @@
 import { useState } from 'preact/hooks';
-import { Blocks, Sections } from '../../app/Blocks.tsx';
+import { Reported } from '../../app/Blocks.tsx';
 import { Choice } from '../../app/Choice.tsx';
-import { saveText } from '../../app/save.ts';
 import { useAnswer, useLatest } from '../../chart/Figure.tsx';
 import type { JudgedPlace, RuleChoice, Settings, VerdictRequest } from '../../lab/index.ts';
 import { engine } from '../../state/engine.ts';
@@ -41,11 +40,6 @@ export function Verdict({ settings, places }: VerdictProps) {
       made: null,
     };
   }
-  const save = async (asked: VerdictRequest): Promise<void> => {
-    const made = new Date().toISOString().slice(0, 10);
-    const html = await engine().verdictReport({ ...asked, made });
-    saveText(html, 'text/html', `${name}.html`);
-  };
   const surfaces = [...new Set(places.map(({ surface }) => surface))];
   return (
     <div class="stack wide verdict" aria-busy={request !== undefined && !isCurrent}>
@@ -88,16 +82,12 @@ export function Verdict({ settings, places }: VerdictProps) {
               ))}
             </fieldset>
           )}
-          <Blocks blocks={judged.lead} />
-          <div>
-            <button type="button" class="quiet no-print" onClick={() => void save(request)}>
-              {text('page-verdict-report')}
-            </button>
-          </div>
-          <details>
-            <summary>{text('page-class-details')}</summary>
-            <Sections sections={judged.sections} />
-          </details>
+          <Reported
+            {...judged}
+            label={text('page-verdict-report')}
+            name={name}
+            report={(made) => engine().verdictReport({ ...request, made })}
+          />
         </>
       )}
     </div>
