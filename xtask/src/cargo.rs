@@ -18,9 +18,9 @@ pub(crate) fn cargo<'a>(words: impl IntoIterator<Item = &'a str>) -> Command {
 /// so that nothing is compiled once for each.
 pub(crate) fn cargo_all(work: &[&str]) -> Command {
     let mut command = cargo(work.iter().copied());
-    command.args(["--workspace", "--features", "bouncelab-cli/serve"]);
+    command.arg("--workspace");
     if has_sound_headers() {
-        command.args(["--features", "bouncelab-cli/microphone"]);
+        command.args(MICROPHONE);
     }
     command
 }
@@ -56,9 +56,17 @@ pub(crate) fn emptied(folder: &Path) -> Result {
     fs::create_dir_all(folder).map_err(|reason| file_error(folder, &reason))
 }
 
+/// The feature that not every system can build.
+pub(crate) const MICROPHONE: [&str; 2] = ["--features", "bouncelab-cli/microphone"];
+
 /// Whether the microphone can be built in: Linux needs the headers of ALSA.
 pub(crate) fn has_sound_headers() -> bool {
     !cfg!(target_os = "linux") || succeeds(&["pkg-config", "--exists", "alsa"])
+}
+
+/// The same, now that they were installed if that was possible.
+pub(crate) fn ensure_sound_headers() -> bool {
+    has_sound_headers() || install(&["libasound2-dev", "pkg-config"], "the microphone")
 }
 
 /// Runs a command to its end, its output going where ours goes; how long it takes is noted.

@@ -1,7 +1,7 @@
 //! The project's own tasks: `cargo xtask help` lists them.
 //!
-//! One module for each task; a new one is a module and a line in [`TASKS`]. Only the standard
-//! library is used, so that a fresh clone starts checking at once.
+//! One module for each task; a new one is a module and a line in [`TASKS`]. It uses few crates, all small, so that a
+//! fresh clone starts checking at once.
 
 #![expect(
     clippy::print_stderr,
@@ -44,7 +44,7 @@ struct Task {
     run: fn(&[String]) -> Result,
 }
 
-const TASKS: [Task; 7] = [
+const TASKS: [Task; 8] = [
     Task {
         name: "test",
         arguments: "[CHECK...]",
@@ -56,6 +56,12 @@ const TASKS: [Task; 7] = [
         arguments: "[FILTER...]",
         about: bench::ABOUT,
         run: bench::run,
+    },
+    Task {
+        name: "install",
+        arguments: "[OPTION OF cargo install...]",
+        about: release::ABOUT_INSTALL,
+        run: release::install_program,
     },
     Task {
         name: "wheel",

@@ -1,14 +1,17 @@
-//! The licences of the crates and packages that are compiled into what is published.
+//! The crates and packages of others that are compiled into what is published: their licences, and the list of them
+//! as a bill of materials (`CycloneDX`).
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use serde_json::{Value, json};
+
 use crate::cargo::{cargo, root};
 use crate::{Result, file_error};
 
-/// What the file is called, wherever it goes.
+/// What the file of licences is called, wherever it goes.
 pub(crate) const NAME: &str = "LICENSE-THIRD-PARTY.txt";
 
 const HEAD: &str = "\
@@ -18,17 +21,69 @@ what it applies to. The source code of each is at its address; nothing of it was
 
 /// A crate or package of others.
 struct Work {
+    /// Which registry has it, as in a package URL.
+    registry: &'static str,
     name: String,
+    version: String,
     licence: String,
     address: String,
     folder: PathBuf,
 }
 
-/// Writes the file into a folder.
+impl Work {
+    fn title(&self) -> String {
+        format!("{} {}", self.name, self.version)
+    }
+}
+
+/// Writes the file of licences into a folder.
 pub(crate) fn write(folder: &Path) -> Result {
     let path = folder.join(NAME);
-    let works: Vec<Work> = crates()?.into_iter().chain(packages()).collect();
-    fs::write(&path, text(&works)?).map_err(|reason| file_error(&path, &reason))
+    fs::write(&path, text(&works()?)?).map_err(|reason| file_error(&path, &reason))
+}
+
+/// Writes the bill of materials of a version.
+pub(crate) fn write_materials(path: &Path, version: &str) -> Result {
+    let document = materials(&works()?, version);
+    fs::write(path, format!("{document:#}\n")).map_err(|reason| file_error(path, &reason))
+}
+
+fn works() -> Result<Vec<Work>> {
+    Ok(crates()?.into_iter().chain(packages()?).collect())
+}
+
+/// The bill of materials after `CycloneDX` 1.6. It has no serial number and no time, so that the same works make the
+/// same bytes.
+fn materials(works: &[Work], version: &str) -> Value {
+    let component = |work: &Work| {
+        let url = format!("pkg:{}/{}@{}", work.registry, work.name, work.version);
+        // Old manifests separate alternatives by a slash, which is no expression of SPDX.
+        let licence = work.licence.replace(" / ", "/").replace('/', " OR ");
+        json!({
+            "type": "library",
+            "bom-ref": url,
+            "name": work.name,
+            "version": work.version,
+            "licenses": [{ "expression": licence }],
+            "purl": url,
+        })
+    };
+    let components: BTreeMap<String, Value> = { works.iter() }
+        .map(|work| (work.title(), component(work)))
+        .collect();
+    json!({
+        "bomFormat": "CycloneDX",
+        "specVersion": "1.6",
+        "version": 1,
+        "metadata": { "component": {
+            "type": "application",
+            "bom-ref": "bouncelab",
+            "name": "bouncelab",
+            "version": version,
+            "licenses": [{ "expression": "MIT OR Apache-2.0" }],
+        } },
+        "components": components.into_values().collect::<Vec<_>>(),
+    })
 }
 
 /// The crates of the program, the Python module and the page, for every kind of machine.
@@ -38,7 +93,7 @@ fn crates() -> Result<Vec<Work>> {
     for package in ["bouncelab-cli", "bouncelab-python", "bouncelab-wasm"] {
         tree.args(["--package", package]);
     }
-    tree.args(["--features", "bouncelab-cli/serve,bouncelab-cli/microphone"]);
+    tree.args(["--features", "bouncelab-cli/microphone"]);
     let listed = tree.output().map_err(|reason| reason.to_string())?;
     if !listed.status.success() {
         return Err(String::from_utf8_lossy(&listed.stderr).into_owned());
@@ -64,7 +119,9 @@ fn crates() -> Result<Vec<Work>> {
         let folder = format!("{name}-{version}");
         let places = registries.iter().map(|registry| registry.join(&folder));
         works.push(Work {
-            name: format!("{name} {version}"),
+            registry: "cargo",
+            name: name.to_owned(),
+            version: version.to_owned(),
             licence: licence.to_owned(),
             address: address.to_owned(),
             folder: { places }
@@ -76,38 +133,42 @@ fn crates() -> Result<Vec<Work>> {
 }
 
 /// The packages of npm that the page contains, where they are installed.
-fn packages() -> Vec<Work> {
+fn packages() -> Result<Vec<Work>> {
     let web = root().join("web");
-    let of = |path: &Path, key: &str| -> Option<String> {
-        let text = fs::read_to_string(path.join("package.json")).ok()?;
-        let value = text.split_once(&format!("\"{key}\": "))?.1.trim_start();
-        Some(value.trim_start_matches('"').split('"').next()?.to_owned())
-    };
-    let listed = fs::read_to_string(web.join("package.json")).unwrap_or_default();
-    let listed = listed
-        .split_once("\"dependencies\": {")
-        .map_or("", |it| it.1);
-    let listed = listed.split('}').next().unwrap_or_default().lines();
-    let names = listed.filter_map(|line| line.trim().strip_prefix('"')?.split('"').next());
-    let work = |name: &str| {
-        let folder = web.join("node_modules").join(name);
-        Some(Work {
-            name: format!("{name} {}", of(&folder, "version")?),
-            licence: of(&folder, "license")?,
+    let listed = manifest(&web)?;
+    let names = listed["dependencies"].as_object().into_iter().flatten();
+    let folders = names.map(|(name, _)| (name, web.join("node_modules").join(name)));
+    let installed = folders.filter(|(_, folder)| folder.is_dir());
+    let work = |(name, folder): (&String, PathBuf)| {
+        let manifest = manifest(&folder)?;
+        let of = |key: &str| manifest[key].as_str().unwrap_or_default().to_owned();
+        Ok(Work {
+            registry: "npm",
+            name: name.clone(),
+            version: of("version"),
+            licence: of("license"),
             address: format!("https://www.npmjs.com/package/{name}"),
             folder,
         })
     };
-    names.filter_map(work).collect()
+    installed.map(work).collect()
+}
+
+/// What a package of npm says of itself.
+fn manifest(folder: &Path) -> Result<Value> {
+    let path = folder.join("package.json");
+    let text = fs::read(&path).map_err(|reason| file_error(&path, &reason))?;
+    serde_json::from_slice(&text).map_err(|reason| format!("{}: {reason}", path.display()))
 }
 
 /// All works, then each text once.
 fn text(works: &[Work]) -> Result<String> {
     let mut text = format!("{HEAD}\n");
-    let mut texts: BTreeMap<String, (String, Vec<&str>)> = BTreeMap::new();
+    let mut texts: BTreeMap<String, (String, Vec<String>)> = BTreeMap::new();
     let mut lines: Vec<String> = Vec::new();
     for work in works {
-        lines.push(format!("{}: {}, {}", work.name, work.licence, work.address));
+        let title = work.title();
+        lines.push(format!("{title}: {}, {}", work.licence, work.address));
         for file in entries(&work.folder)?
             .into_iter()
             .filter(|it| is_licence(it))
@@ -116,8 +177,8 @@ fn text(works: &[Work]) -> Result<String> {
             let content = String::from_utf8_lossy(&content).into_owned();
             let words = content.split_whitespace().collect::<Vec<_>>().join(" ");
             let (_, names) = texts.entry(words).or_insert((content, Vec::new()));
-            if !names.contains(&work.name.as_str()) {
-                names.push(&work.name);
+            if !names.contains(&title) {
+                names.push(title.clone());
             }
         }
     }
@@ -164,10 +225,30 @@ mod tests {
         let works = crates().unwrap();
         assert!(works.len() > 100);
         let text = text(&works).unwrap();
-        let named = |work: &&Work| !text.contains(&work.name);
-        assert_eq!(works.iter().filter(named).count(), 0);
+        let is_missing = |work: &&Work| !text.contains(&work.title());
+        assert_eq!(works.iter().filter(is_missing).count(), 0);
         assert!(text.contains("Mozilla Public License"));
         let line = text.lines().find(|line| line.starts_with("symphonia "));
         assert!(line.unwrap().contains("MPL-2.0, https://"), "{line:?}");
+    }
+
+    #[test]
+    fn the_bill_of_materials_has_every_crate_once_with_an_expression() {
+        let works = works().unwrap();
+        let document = materials(&works, "1.2.3");
+        let components = document["components"].as_array().unwrap();
+        let mut titles: Vec<String> = works.iter().map(Work::title).collect();
+        titles.sort();
+        titles.dedup();
+        assert_eq!(components.len(), titles.len());
+        for component in components {
+            let licence = component["licenses"][0]["expression"].as_str().unwrap();
+            assert!(!licence.is_empty() && !licence.contains('/'), "{component}");
+        }
+        let symphonia = components
+            .iter()
+            .find(|it| it["name"] == "symphonia")
+            .unwrap();
+        assert_eq!(symphonia["licenses"][0]["expression"], "MPL-2.0");
     }
 }

@@ -10,9 +10,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
 
-use crate::cargo::{built, cargo, copy_program, root, run as run_command, succeeds, target};
+use crate::cargo::{
+    built, cargo, copy_program, emptied, root, run as run_command, succeeds, target,
+};
 use crate::steps::skip;
-use crate::{Result, notices};
+use crate::{Result, file_error, notices, release};
 
 pub(crate) const ABOUT: &str = "Build the wheel of the Python package into target/wheels";
 
@@ -52,6 +54,23 @@ pub(crate) fn released_wheel() -> Result<PathBuf> {
 /// The wheel of the checks.
 pub(crate) fn checked_wheel() -> Result<PathBuf> {
     first_venv()?.shared_wheel()
+}
+
+/// The sources of the package, as an archive that `pip install` builds.
+pub(crate) fn sources() -> Result<PathBuf> {
+    let folder = target().join("wheels/sources");
+    emptied(&folder)?;
+    notices::write(&package())?;
+    let mut pack = first_venv()?.tool("maturin");
+    pack.args(["sdist", "--out"]).arg(&folder);
+    run_command(pack.env("SOURCE_DATE_EPOCH", release::EPOCH))?;
+    only_file(&folder)
+}
+
+/// Whether unpacked sources hold all crates that the package is made of, and none is to be downloaded anew.
+pub(crate) fn have_all_sources(unpacked: &Path) -> Result {
+    let mut ask = cargo(["metadata", "--locked", "--offline", "--format-version", "1"]);
+    run_command(ask.arg("--quiet").current_dir(unpacked))
 }
 
 /// The first notebook of the package, run with the wheel of the checks and shown as a page of HTML.
@@ -297,10 +316,9 @@ impl Venv {
         build.arg("--interpreter");
         build.arg(self.program("python")).arg("--out").arg(&folder);
         build.args(options);
+        build.env("SOURCE_DATE_EPOCH", release::EPOCH);
         run_command(build.env("CARGO_TARGET_DIR", target()))?;
-        let mut wheels = fs::read_dir(&folder).map_err(|reason| reason.to_string())?;
-        let wheel = wheels.find_map(|entry| Some(entry.ok()?.path()));
-        wheel.ok_or_else(|| "maturin built no wheel".to_owned())
+        only_file(&folder)
     }
 
     /// Runs the tests and the examples of the documentation on what the wheel installed, a process for each core.
@@ -330,6 +348,13 @@ impl Venv {
         public.args(["--ignoreexternal", "--verifytypes", "bouncelab"]);
         run_command(public.env("PATH", self.path()?).current_dir(&self.folder))
     }
+}
+
+/// What maturin made in an empty folder.
+fn only_file(folder: &Path) -> Result<PathBuf> {
+    let mut files = fs::read_dir(folder).map_err(|reason| file_error(folder, &reason))?;
+    let file = files.find_map(|entry| Some(entry.ok()?.path()));
+    file.ok_or_else(|| format!("maturin made nothing in {}", folder.display()))
 }
 
 /// Where the environment of an interpreter is.

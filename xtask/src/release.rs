@@ -6,11 +6,17 @@
 
 use std::env::consts::EXE_SUFFIX;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use flate2::Compression;
+use flate2::read::GzDecoder;
+use flate2::write::GzEncoder;
+
 use crate::cargo::{
-    built, cargo, copy_program, emptied, install, root, run as run_command, succeeds, target,
+    MICROPHONE, built, cargo, copy_program, emptied, ensure_sound_headers, install, root,
+    run as run_command, succeeds, target,
 };
 use crate::steps::skip;
 use crate::{Result, book, file_error, notices, python, web};
@@ -41,6 +47,10 @@ const BY_SCHEMA: [(&str, &str); 5] = [
 
 /// What lies beside the program in its archive.
 const DOCUMENTS: [&str; 4] = ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
+
+/// The time of all that is packed, in seconds of Unix, so that packing twice makes the same bytes: that which
+/// [`tar::HeaderMode::Deterministic`] writes.
+pub(crate) const EPOCH: &str = "1153704088";
 
 /// The completions, by the shell and the names that the shells look for.
 const COMPLETIONS: [(&str, &str); 4] = [
@@ -78,17 +88,18 @@ Description: physics of a bouncing ball from its sound
 ";
 
 /// The task: everything, for this machine; `documents`, which are the same for all machines; or `target=TRIPLE`, the
-/// program for one kind of machine.
+/// program for one kind of machine. Only where everything is, a list of checksums makes sense.
 pub(crate) fn run(words: &[String]) -> Result {
     let folder = target().join("release-artefacts");
     emptied(&folder)?;
     match words {
         [] => {
-            let page = make_page()?;
+            make_page()?;
             let triple = published()?;
-            program(&folder, &compile(&triple, page)?, &triple)?;
+            program(&folder, &compile(&triple)?, &triple)?;
             wheel(&folder, python::released_wheel)?;
             documents(&folder)?;
+            checksums(&folder)?;
         }
         [word] if word == "documents" => {
             web::build()?;
@@ -103,11 +114,10 @@ pub(crate) fn run(words: &[String]) -> Result {
                         + ": cargo xtask web",
                 );
             }
-            program(&folder, &compile(triple, true)?, triple)?;
+            program(&folder, &compile(triple)?, triple)?;
         }
         _ => return Err(USAGE.into()),
     }
-    checksums(&folder)?;
     println!("made in {}", folder.display());
     Ok(())
 }
@@ -115,13 +125,12 @@ pub(crate) fn run(words: &[String]) -> Result {
 const USAGE: &str = "it takes at most one word, `documents` or target=TRIPLE";
 
 /// The page is a part of the program where it can be built.
-fn make_page() -> Result<bool> {
+fn make_page() -> Result {
     if web::has_node() {
-        web::build()?;
-        return Ok(true);
+        return web::build();
     }
-    skip("the page, and `bouncelab serve`: Node.js is missing");
-    Ok(false)
+    skip("the page, without which `bouncelab serve` has nothing to serve: Node.js is missing");
+    Ok(())
 }
 
 fn has_page() -> bool {
@@ -129,16 +138,27 @@ fn has_page() -> bool {
 }
 
 /// The microphone needs a library of the system on Linux only, which not every machine has.
-fn features(page: bool, triple: &str) -> Vec<&'static str> {
-    let mut features = Vec::new();
-    if page {
-        features.extend(["--features", "bouncelab-cli/serve"]);
+fn features(triple: &str) -> &'static [&'static str] {
+    if triple.contains("linux") {
+        &[]
+    } else {
+        &MICROPHONE
     }
-    if !triple.contains("linux") {
-        features.extend(["--features", "bouncelab-cli/microphone"]);
-    }
-    features
 }
+
+/// The task `install`: the program with all that this machine can build into it.
+pub(crate) fn install_program(words: &[String]) -> Result {
+    make_page()?;
+    let mut install = cargo(["install", "--locked", "--path", "crates/bouncelab-cli"]);
+    if ensure_sound_headers() {
+        install.args(MICROPHONE);
+    } else {
+        skip("the microphone, and with it `bouncelab listen`: the headers of ALSA are missing");
+    }
+    run_command(install.args(words))
+}
+
+pub(crate) const ABOUT_INSTALL: &str = "Install the program from the sources, with the page and the microphone where this machine can build them";
 
 /// What this machine makes programs for: on Linux they are static, if the compiler can do that.
 fn published() -> Result<String> {
@@ -149,9 +169,9 @@ fn published() -> Result<String> {
 }
 
 /// Compiles the program; the folder in which it is then.
-fn compile(triple: &str, page: bool) -> Result<PathBuf> {
+fn compile(triple: &str) -> Result<PathBuf> {
     let mut build = cargo(["build", "--release", "--bin", "bouncelab", "--target"]);
-    run_command(build.arg(triple).args(features(page, triple)))?;
+    run_command(build.arg(triple).args(features(triple)))?;
     Ok(target().join(triple).join("release"))
 }
 
@@ -161,23 +181,23 @@ fn wheel(folder: &Path, make: fn() -> Result<PathBuf>) -> Result {
         skip(&format!("the wheel: {}", python::MISSING));
         return Ok(());
     }
-    let wheel = make()?;
-    copy(&wheel, &folder.join(wheel.file_name().unwrap_or_default()))
+    copy_into(folder, &make()?)
 }
 
-/// The page, the book, and the text of the release.
+/// The page, its package, the sources of the Python package, the book, the bill of materials, and the text of the release.
 fn documents(folder: &Path) -> Result {
     if has_page() {
         notices::write(&web::web().join("dist"))?;
         let name = format!("bouncelab-page-{VERSION}");
         archive(folder, &name, &web::web(), "dist")?;
-        let package = web::package()?;
-        copy(
-            &package,
-            &folder.join(package.file_name().unwrap_or_default()),
-        )?;
+        copy_into(folder, &web::package()?)?;
     } else {
         skip("the page, which was not built");
+    }
+    if python::interpreters().is_empty() {
+        skip(&format!("the sources for PyPI: {}", python::MISSING));
+    } else {
+        copy_into(folder, &python::sources()?)?;
     }
     if python::program("mdbook").is_some() {
         book::build()?;
@@ -186,6 +206,10 @@ fn documents(folder: &Path) -> Result {
     } else {
         skip("the book: mdBook is missing");
     }
+    notices::write_materials(
+        &folder.join(format!("bouncelab-{VERSION}.cdx.json")),
+        VERSION,
+    )?;
     let notes = notes(&read(&root().join("CHANGELOG.md"))?)?;
     write(&folder.join("release-notes.md"), &notes)
 }
@@ -269,6 +293,7 @@ fn debian(folder: &Path, contents: &Path, architecture: &str, library: &str) -> 
     let mut package = Command::new("dpkg-deb");
     // The usual level takes five times as long to save a seventh.
     package.args(["-z1", "--root-owner-group", "--build"]);
+    package.env("SOURCE_DATE_EPOCH", EPOCH);
     run_command(package.arg(tree).arg(folder))
 }
 
@@ -292,11 +317,34 @@ fn libraries(program: &Path) -> Result<String> {
         .ok_or_else(|| String::from_utf8_lossy(&found.stderr).into_owned())
 }
 
-/// Packs a folder that lies in another.
+/// Packs a folder that lies in another: the same contents make the same bytes, whenever and by whomever it is packed.
 fn archive(folder: &Path, name: &str, parent: &Path, contents: &str) -> Result {
-    let mut tar = Command::new("tar");
-    tar.arg("-czf").arg(folder.join(format!("{name}.tar.gz")));
-    run_command(tar.arg("-C").arg(parent).arg(contents))
+    let path = folder.join(format!("{name}.tar.gz"));
+    let pack = || -> io::Result<()> {
+        let gzip = GzEncoder::new(fs::File::create(&path)?, Compression::best());
+        let mut tar = tar::Builder::new(gzip);
+        // Neither times nor owners.
+        tar.mode(tar::HeaderMode::Deterministic);
+        append(&mut tar, parent, Path::new(contents))?;
+        tar.into_inner()?.finish()?.sync_all()
+    };
+    pack().map_err(|reason| file_error(&path, &reason))
+}
+
+/// Adds a file, or a folder with what it holds in the order of names.
+fn append(tar: &mut tar::Builder<impl io::Write>, parent: &Path, name: &Path) -> io::Result<()> {
+    let path = parent.join(name);
+    if !path.is_dir() {
+        return tar.append_path_with_name(path, name);
+    }
+    tar.append_dir(name, &path)?;
+    let mut names: Vec<_> = fs::read_dir(&path)?
+        .map(|entry| Ok(entry?.file_name()))
+        .collect::<io::Result<_>>()?;
+    names.sort();
+    names
+        .iter()
+        .try_for_each(|it| append(tar, parent, &name.join(it)))
 }
 
 /// `SHA256SUMS`, as `sha256sum --check` reads it.
@@ -363,6 +411,7 @@ pub(crate) fn check() -> Result {
     documents(&folder)?;
     checksums(&folder)?;
     verify(&folder)?;
+    makes_the_same_again(&folder)?;
     let installed = target().join("release-check/installed");
     emptied(&installed)?;
     for path in files(&folder)? {
@@ -382,11 +431,29 @@ pub(crate) fn check() -> Result {
         } else if name.starts_with("bouncelab-book") {
             unpack(&path, &place)?;
             read(&place.join("book/tutorial.html"))?;
+        } else if name == format!("bouncelab-{VERSION}.tar.gz") {
+            unpack(&path, &place)?;
+            python::have_all_sources(&place.join(name.trim_end_matches(".tar.gz")))?;
         } else if name.ends_with(".tar.gz") {
             unpack(&path, &place)?;
             let program = place.join(name.trim_end_matches(".tar.gz"));
             demo(&program)?;
             has_help(&program, &HELP_IN_ARCHIVE)?;
+        }
+    }
+    Ok(())
+}
+
+/// Whether the program, packed once more, is the same bytes.
+fn makes_the_same_again(folder: &Path) -> Result {
+    let again = target().join("release-check/again");
+    emptied(&again)?;
+    program(&again, &target().join("debug"), &host()?)?;
+    for path in files(&again)? {
+        let first = folder.join(path.file_name().unwrap_or_default());
+        let read = |path: &Path| fs::read(path).map_err(|reason| file_error(path, &reason));
+        if read(&first)? != read(&path)? {
+            return Err(format!("{}: packed twice, it differs", first.display()));
         }
     }
     Ok(())
@@ -462,13 +529,9 @@ fn has_help(folder: &Path, names: &[&str]) -> Result {
 }
 
 fn unpack(path: &Path, place: &Path) -> Result {
-    run_command(
-        Command::new("tar")
-            .arg("-xzf")
-            .arg(path)
-            .arg("-C")
-            .arg(place),
-    )
+    let unpacked =
+        fs::File::open(path).and_then(|file| tar::Archive::new(GzDecoder::new(file)).unpack(place));
+    unpacked.map_err(|reason| file_error(path, &reason))
 }
 
 /// Runs the demo of a program from its own folder, with an empty home.
@@ -495,6 +558,10 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>> {
     Ok(entries.flatten().map(|entry| entry.path()).collect())
 }
 
+fn copy_into(folder: &Path, file: &Path) -> Result {
+    copy(file, &folder.join(file.file_name().unwrap_or_default()))
+}
+
 fn copy(from: &Path, to: &Path) -> Result {
     fs::copy(from, to)
         .map(drop)
@@ -511,7 +578,7 @@ fn write(path: &Path, text: &str) -> Result {
 
 #[cfg(test)]
 mod tests {
-    use super::{VERSION, features, name_of, notes, read, root};
+    use super::{VERSION, name_of, notes, read, root};
 
     /// `cargo binstall` fills in these names.
     #[test]
@@ -553,19 +620,6 @@ mod tests {
         assert!(release.contains("tag-name = \"v{{version}}\""));
         let workflow = read(&root().join(".github/workflows/release.yml")).unwrap();
         assert!(workflow.contains("tags: [\"v*\"]"));
-    }
-
-    #[test]
-    fn what_is_published_has_the_page_and_the_microphone_where_it_takes_no_headers() {
-        let serve = "bouncelab-cli/serve";
-        let microphone = "bouncelab-cli/microphone";
-        let has = |triple, feature: &&str| features(true, triple).contains(feature);
-        for triple in ["aarch64-apple-darwin", "x86_64-pc-windows-msvc"] {
-            assert!(has(triple, &serve) && has(triple, &microphone));
-        }
-        let triple = "x86_64-unknown-linux-musl";
-        assert!(has(triple, &serve) && !has(triple, &microphone));
-        assert!(!features(false, triple).contains(&serve));
     }
 
     /// `cargo release` writes them all; this finds what was written by hand.

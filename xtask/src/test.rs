@@ -4,7 +4,8 @@ use std::collections::HashMap;
 use std::process::Command;
 
 use crate::cargo::{
-    cargo, cargo_all, has, has_sound_headers, install, root, run as run_command, succeeds,
+    cargo, cargo_all, ensure_sound_headers, has, has_sound_headers, install, root,
+    run as run_command, succeeds,
 };
 use crate::steps::{self, Step, Time, Watch};
 use crate::{Result, book, cluster, fresh, measure, package, python, release, web};
@@ -327,7 +328,10 @@ struct Outcome {
 pub(crate) fn run(names: &[String]) -> Result {
     let mut checks = chosen(names)?;
     ensure_components()?;
-    ensure_sound_headers();
+    // Without them, everything is checked but the microphone.
+    if !ensure_sound_headers() {
+        steps::skip("clippy and tests of the microphone: the headers of ALSA are missing");
+    }
     // All that can be installed is, before the first check.
     let mut met = HashMap::new();
     checks.retain(|check| {
@@ -396,14 +400,6 @@ fn ensure_components() -> Result {
         )?;
     }
     Ok(())
-}
-
-/// Without them, everything is checked but the microphone.
-fn ensure_sound_headers() {
-    let packages = ["libasound2-dev", "pkg-config"];
-    if !has_sound_headers() && !install(&packages, "the microphone") {
-        steps::skip("clippy and tests of the microphone: the headers of ALSA are missing");
-    }
 }
 
 /// Prints what became of each check, and what took how long; an error if any failed.

@@ -103,8 +103,8 @@ pub(crate) fn files() -> Result<Vec<(String, Vec<u8>)>, Failure> {
         return Ok(files);
     }
     Err(Failure::Input(
-        "this program was built without the page: run `cargo xtask web` first, then build it again \
-         with --features serve"
+        "this program was built without the page. In the folder of the sources, `cargo xtask install` builds the \
+         page and installs the program with it (it needs Node.js)"
             .to_owned(),
     ))
 }

@@ -273,7 +273,7 @@ fn no_microphone() -> Failure {
     };
     Failure::Usage(format!(
         "this bouncelab was built without the microphone. Play a recording with --from FILE, or \
-         rebuild it:{headers}\n  cargo install --locked --path crates/bouncelab-cli --features microphone"
+         rebuild it:{headers}\n  cargo xtask install"
     ))
 }
 

@@ -343,7 +343,7 @@ fn without_the_microphone_it_says_how_to_build_it_in() {
         bouncelab(arguments)
             .assert()
             .code(2)
-            .stderr(predicate::str::contains("--features microphone"))
+            .stderr(predicate::str::contains("cargo xtask install"))
             .stderr(predicate::str::contains("--from FILE"));
     }
 }
