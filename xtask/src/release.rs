@@ -28,9 +28,12 @@ pub(crate) const ABOUT: &str =
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// What other programs read by a schema, with its name.
-const BY_SCHEMA: [(&str, &str); 5] = [
+const BY_SCHEMA: [(&str, &str); 8] = [
     ("vendor.citation-file-format", "CITATION.cff"),
     ("vendor.dependabot", ".github/dependabot.yml"),
+    ("vendor.github-workflows", ".github/workflows/check.yml"),
+    ("vendor.github-workflows", ".github/workflows/release.yml"),
+    ("vendor.github-workflows", ".github/workflows/wheels.yml"),
     (
         "vendor.github-issue-config",
         ".github/ISSUE_TEMPLATE/config.yml",
@@ -257,6 +260,7 @@ fn debian(folder: &Path, contents: &Path, architecture: &str, library: &str) -> 
     }
     let tree = target().join("release-staged/debian");
     let control = tree.join("DEBIAN/control");
+    emptied(&tree)?;
     emptied(&tree.join("DEBIAN"))?;
     let put = |file: &str, to: &str| {
         let mut install = Command::new("install");
@@ -390,18 +394,19 @@ fn notes(changes: &str) -> Result<String> {
 
 /// The check.
 pub(crate) fn check() -> Result {
-    if web::has_node() {
-        web::check_workflows()?;
-    } else {
-        skip("the check of the workflow files: Node.js is missing");
-    }
     if python::interpreters().is_empty() {
         skip(&format!(
-            "how to cite and the issue forms: {}",
+            "workflow files, issue forms and how to cite: {}",
             python::MISSING
         ));
     } else {
         python::validate(&BY_SCHEMA)?;
+    }
+    if let Some(audit) = python::program("zizmor") {
+        let mut audit = Command::new(audit);
+        audit.args(["--offline", "--quiet", "--min-severity", "medium"]);
+        audit.args(["--min-confidence", "medium"]);
+        run_command(audit.arg(root().join(".github/workflows")))?;
     }
     built("--bin", "bouncelab")?;
     let folder = target().join("release-check/artefacts");

@@ -99,12 +99,6 @@ fn audit() -> Result {
     Err(format!("npm audit found something:\n{report}"))
 }
 
-/// Whether the workflow files are valid; the page has what checks them.
-pub(crate) fn check_workflows() -> Result {
-    modules()?;
-    npm(&["run", "workflows"])
-}
-
 /// What the page loads: the science at once, the decoders when a file is opened.
 const PARTS: [&str; 2] = ["engine", "decoders"];
 
