@@ -3,7 +3,7 @@
 use bouncelab::rulebook::Outcome;
 use bouncelab_bench::verdicts::{RuleKind, Trial};
 
-/// How many of so many balls conform, and do not.
+/// The numbers of balls that conform and that do not.
 fn outcomes(kind: RuleKind, truth: f64, drops: usize, balls: u64) -> [usize; 2] {
     let trial = Trial {
         kind,

@@ -138,7 +138,7 @@ pub(crate) struct InferenceArguments {
     #[arg(long, value_name = "BOUNCE:APEX", value_parser = reach)]
     reach: Vec<ApexTarget>,
     /// The first impact detected is the first impact of the drop
-    #[arg(long, alias = "first-heard")]
+    #[arg(long)]
     first_detected: bool,
     #[arg(long, value_name = "N", help = draws_help())]
     draws: Option<usize>,

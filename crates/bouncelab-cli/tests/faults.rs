@@ -132,7 +132,7 @@ const CALLS: [&str; 9] = [
     "ftruncate",
 ];
 
-/// Of the calls of one kind, at most so many fail, spread over all of them.
+/// The maximum number of calls of one kind that fail, spread over all of them.
 const MAX_FAULTS: usize = 20;
 
 /// A folder with two recordings of a drop, and one for outputs.

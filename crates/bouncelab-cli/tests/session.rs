@@ -525,7 +525,7 @@ fn any_number_of_threads_gives_the_same_tables() {
     assert!(one == workspace.tables());
 }
 
-/// Killed as soon as so many recordings are analysed, and resumed: the tables are those of a run that nobody disturbed.
+/// Killed once a number of recordings are analysed, and resumed: the tables are those of a run that nobody disturbed.
 /// `cargo xtask test faults` kills at other moments too.
 #[test]
 fn a_killed_run_goes_on_and_ends_the_same() {

@@ -1,4 +1,4 @@
-//! What looks like a mistake of units is questioned by every command that is told it.
+//! Every command questions a value that looks like a mistake of units.
 
 use std::path::PathBuf;
 
@@ -77,7 +77,7 @@ fn implausible_values_can_be_allowed() {
         .success();
 }
 
-/// Ten times the height is ordinary by itself, and so many missed impacts might explain it; but the
+/// Ten times the height is ordinary by itself, and enough missed impacts might explain it; but the
 /// decimal point is a better explanation.
 #[test]
 fn a_recording_knows_a_wrong_height() {

@@ -17,7 +17,7 @@ from bouncelab import batch
 PATTERN = "{surface}_{height}_{}"
 SETTINGS: batch.KernelOptions = {"ball": "table-tennis-40", "draws": 100, "pattern": PATTERN}
 
-#: So many recordings are compared with a session.
+#: The number of recordings that are compared with a session.
 RECORDINGS = int(os.environ.get("BOUNCELAB_CLUSTER_RECORDINGS", "2000"))
 
 

@@ -9,10 +9,10 @@ import pytest
 from clusters import Job, Ray, Spark, cluster
 from laboratory import listed, names, work
 
-#: So many recordings of a write, or of a block of each worker, may be analysed again.
+#: The number of recordings of a write, or of a block of each worker, that may be analysed again.
 AGAIN = {Spark: 50, Ray: 2 * 50}
 
-#: So many recordings were analysed since the driver was started, when the driver or a worker is killed.
+#: The number of recordings that were analysed since the driver was started, when the driver or a worker is killed.
 OF_DRIVERS = (1, 20, 45, 60, 90)
 OF_WORKERS = (1, 60, 120, 170, 230)
 
@@ -38,7 +38,7 @@ class Work:
         return Job(self.engine, self.given, self.output, settings={"draws": None}, **self.counts)
 
     def until(self, job: Job, count: int) -> None:
-        """Wait until so many were analysed since the driver was started."""
+        """Wait until ``count`` recordings were analysed since the driver was started."""
         job.until(lambda: len(work(self.engine.folder)) >= self.started + count, f"{count} recordings")
 
     def check(self) -> None:

@@ -28,7 +28,7 @@ const MAX_CELLS: usize = 1 << 21;
 /// Where a cell is, row first, and its text.
 type Cell = (usize, usize, String);
 
-/// The sheets of a workbook in an archive; `None` if the archive is none.
+/// The sheets of a workbook in an archive; `None` if the archive is not a workbook.
 pub(super) fn of_archive(content: &[u8]) -> Result<Option<Vec<NamedTable>>> {
     let mut archive = ZipArchive::new(Cursor::new(content)).map_err(damaged)?;
     let is_open = archive.index_for_name("content.xml").is_some();

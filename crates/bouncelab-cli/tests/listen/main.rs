@@ -371,7 +371,7 @@ mod linux {
             .unwrap()
     }
 
-    /// Waits until a file has so many bytes, woken by whatever is written in its folder.
+    /// Waits until a file has `bytes` bytes, woken by whatever is written in its folder.
     pub(crate) fn wait_for(file: &Path, bytes: u64) {
         const PATIENCE: Timespec = Timespec {
             tv_sec: 300,

@@ -23,7 +23,7 @@ pub(super) struct Frame {
     bit_rate: Option<u32>,
 }
 
-/// Parses a header; `None` if there is none.
+/// Parses a header; `None` if these bytes are not one.
 type Parse = fn(&[u8]) -> Option<Frame>;
 
 /// Number of bytes that contain the header of a frame.
