@@ -75,7 +75,12 @@ impl LiveRecording {
         last_frame: u64,
     ) -> Result<Self, Failure> {
         let block = MAX_BLOCK * sound.info().channels * size_of::<f32>();
-        let (sender, events) = mpsc::sync_channel((MAX_WAITING / block).max(1));
+        let waiting = if sound.is_live() {
+            (MAX_WAITING / block).max(1)
+        } else {
+            0
+        };
+        let (sender, events) = mpsc::sync_channel(waiting);
         let enough = Arc::new(AtomicBool::new(false));
         let troubles = Troubles::default();
         let is_saved = !saver.files().is_empty();
@@ -163,7 +168,10 @@ impl Outlet {
     /// frames are counted. If the analysis has ended, the event is dropped.
     fn send(&mut self, event: Event, frames: u64) {
         if self.waits {
+            // The analysis takes the second event when it is done with the first: a file that is played is saved as far
+            // as it was analysed, the same each time.
             let _ = self.sender.send(event);
+            let _ = self.sender.send(Event::Nothing);
             return;
         }
         if self.left_out > 0 {
