@@ -1,5 +1,5 @@
 sheet-fields = Nom : _________________________ Classe : ______________ Date : ______________
-sheet-page = La page sur ton téléphone : { $address }
+sheet-page = La page sur ton téléphone : { $address }
 sheet-set-up = Une balle au-dessus du sol, sa hauteur h, et un téléphone à côté
 sheet-qr-code = Code QR de la page
 sheet-need = Il te faut
