@@ -36,6 +36,8 @@ enum Needs {
     Browser,
     /// Node.js and Firefox, for the same tests.
     Firefox,
+    /// Node.js and `WebKitGTK`, for the page.
+    WebKit,
     /// The history of the repository.
     Git,
     /// A program that `PyPI` has.
@@ -62,6 +64,7 @@ impl Needs {
             Self::Node => web::has_node(),
             Self::Browser => web::has_node() && web::has_browser(),
             Self::Firefox => web::has_node() && web::has_firefox(),
+            Self::WebKit => web::has_node() && web::has_webkit(),
             Self::Git => fresh::has_repository(),
             Self::Program(name) => python::program(name).is_some(),
             Self::SoundServer => has_sound_server(),
@@ -220,7 +223,7 @@ pub(crate) const CHECKS: [Check; 20] = [
 ];
 
 /// Checks that run only where they are named.
-pub(crate) const ON_REQUEST: [Check; 3] = [
+pub(crate) const ON_REQUEST: [Check; 4] = [
     Check {
         name: "cluster",
         about: "Spark and Ray on clusters of this machine",
@@ -238,6 +241,12 @@ pub(crate) const ON_REQUEST: [Check; 3] = [
         about: "the end-to-end tests of the page in Firefox",
         needs: Needs::Firefox,
         run: web::firefox,
+    },
+    Check {
+        name: "webkit",
+        about: "the page in WebKitGTK: demo, WAV, MP3, MOV, WebM",
+        needs: Needs::WebKit,
+        run: web::webkit,
     },
 ];
 

@@ -13,8 +13,8 @@ use crate::cargo::{built, cargo, root, run as run_command};
 use crate::steps::skip;
 use crate::{Result, file_error, notices};
 
-pub(crate) use e2e::{class, firefox, pictures, run as e2e};
-pub(crate) use system::{has_browser, has_firefox, has_node, has_target};
+pub(crate) use e2e::{class, firefox, pictures, run as e2e, webkit};
+pub(crate) use system::{has_browser, has_firefox, has_node, has_target, has_webkit};
 
 pub(crate) const ABOUT: &str = "Build the page into web/dist; or only its engine; or the package for other pages; or check it; or run its end-to-end tests";
 

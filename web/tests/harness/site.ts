@@ -1,3 +1,4 @@
+import { existsSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
@@ -25,15 +26,20 @@ export class Site {
     this.url = `http://localhost:${(server.address() as AddressInfo).port}/`;
   }
 
-  /** `dist` unless another folder is named. */
-  static async open(folder = join(import.meta.dirname, '../../dist')): Promise<Site> {
+  /** `dist`, or the folder in `BOUNCELAB_PAGE`, unless another is named. */
+  static async open(
+    folder = process.env['BOUNCELAB_PAGE'] ?? join(import.meta.dirname, '../../dist'),
+  ): Promise<Site> {
     const server = createServer(async (request, response) => {
       const path = normalize(new URL(request.url ?? '/', 'http://localhost').pathname);
       const name = path.endsWith('/') ? `${path}index.html` : path;
       try {
-        const content = await readFile(join(folder, name));
+        const plain = join(folder, name);
+        const isSmall = existsSync(`${plain}.br`);
+        const content = await readFile(isSmall ? `${plain}.br` : plain);
         response.writeHead(200, {
           'Content-Type': MEDIA_TYPES[extname(name)] ?? 'application/octet-stream',
+          ...(isSmall && { 'Content-Encoding': 'br' }),
           'Content-Security-Policy': POLICY,
           'X-Content-Type-Options': 'nosniff',
           'Cache-Control': 'no-cache',

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
-use super::{npm_command, page, system, unpacked};
+use super::{npm, npm_command, page, system, unpacked};
 use crate::Result;
 use crate::cargo::{built, run as run_command};
 use crate::steps::{Time, Watch};
@@ -75,6 +75,12 @@ pub(crate) fn class() -> Result {
     let program = built("--bin", "bouncelab")?;
     let mut command = npm_command(&["run", "class"]);
     run_command(command.env("BOUNCELAB_PROGRAM", &program))
+}
+
+/// Runs the test of the page in WebKit.
+pub(crate) fn webkit() -> Result {
+    page()?;
+    npm(&["run", "webkit"])
 }
 
 /// Takes the pictures of the page that the book has, and that of a notebook, which is there as HTML.

@@ -101,6 +101,19 @@ pub(crate) fn has_firefox() -> bool {
     are_there() || install(&packages, "the end-to-end tests in Firefox") && are_there()
 }
 
+/// Whether there is WebKitGTK with what drives it, and a screen without hardware; they are installed where that is
+/// allowed.
+pub(crate) fn has_webkit() -> bool {
+    let are_there = || {
+        ["WebKitWebDriver", "Xvfb"]
+            .iter()
+            .all(|name| succeeds(&["sh", "-c", &format!("command -v {name}")]))
+    };
+    let packages = ["webkit2gtk-driver", "xvfb"];
+    cfg!(target_os = "linux")
+        && (are_there() || install(&packages, "the page in WebKit") && are_there())
+}
+
 fn has_font(folder: &Path, file: &str) -> bool {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     entries.map(|entry| entry.path()).any(|path| {
