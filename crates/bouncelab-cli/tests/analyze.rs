@@ -109,6 +109,26 @@ fn help_shows_what_a_first_user_needs() {
     );
 }
 
+/// A ball that keeps 28 % of its speed rests after three impacts: it is offered, and its restitution is that of the flights.
+#[test]
+fn a_dull_ball_is_offered_and_answered_with_its_width() {
+    let folder = TempDir::new().unwrap();
+    let few: Vec<ImpactEvent> = strikes(3.43, 0.28).take(3).collect();
+    let sound = synth::render(&few, &Scene::default(), 3).unwrap();
+    let file = write_samples(&folder, "dull.wav", &sound.samples);
+    assert_eq!(
+        json(&mut analyze(&file))["drops"].as_array().unwrap().len(),
+        0
+    );
+    let accepted = json(analyze(&file).args(["--accept", "1"]));
+    let posterior = &accepted["drops"][0]["posterior"];
+    for (name, truth, most_sd) in [("restitution", 0.28, 0.1), ("drop_height_m", 0.6, 0.4)] {
+        let [value, sd] = ["value", "sd"].map(|it| posterior[name][it].as_f64().unwrap());
+        let is_right = (value - truth).abs() < 3.0 * sd && sd > 0.01 && sd < most_sd;
+        assert!(is_right, "{name}: {value} ± {sd}");
+    }
+}
+
 /// Four clear impacts are too few to be taken for a drop: they are offered, count nowhere, and are analysed once accepted.
 #[test]
 fn what_may_be_a_drop_is_offered_and_counts_once_it_is_accepted() {

@@ -212,7 +212,7 @@ codes! {
     DropsAtOnce = "drops-at-once", Warning, ["start_s", "end_s"];
     /// Sounds as loud as the impacts of a drop are near it and were not used.
     SoundsUnused = "sounds-unused", Info, ["count", "start_s"];
-    /// A sound before a drop is like its first impact, but does not fit its flights.
+    /// A sound before a drop may be an earlier impact.
     EarlierImpact = "earlier-impact", Warning, ["time_s", "start_s"];
     /// Samples are clipped.
     Clipped = "clipped", Warning, ["samples"];

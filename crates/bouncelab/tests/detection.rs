@@ -421,6 +421,42 @@ fn a_train_close_behind_another_is_offered() {
     assert!(times(offered).iter().all(of_second) && times(offered).len() >= 5);
 }
 
+/// Balls that rest after two to four impacts, because they were caught or because they are dull, are offered with all their
+/// clear impacts and never taken for a drop.
+#[test]
+fn few_impacts_are_offered() {
+    let voices = [Voice::table_tennis(), Voice::steel_ball(), Voice::tennis()];
+    let caught = [2, 3, 4].map(|count| (0.8, count));
+    let dull = [0.15, 0.2, 0.3, 0.4, 0.5].map(|restitution| (restitution, 4));
+    for (restitution, count) in caught.into_iter().chain(dull) {
+        for (seed, height_m) in [(1, 0.3), (2, 0.6), (3, 1.0)] {
+            for voice in &voices {
+                let few: Vec<_> = dropped(height_m, restitution)
+                    .into_iter()
+                    .take(count)
+                    .collect();
+                let sound = Scene {
+                    voice: voice.clone(),
+                    ..scene(40.0)
+                };
+                let sound = synth::render(&few, &sound, seed).unwrap();
+                let found = detect(&sound).found;
+                assert_eq!(found.trains, [], "{restitution} from {height_m} m");
+                let first_s = sound.impacts[0].time_s;
+                let is_offer = |it: &Train| {
+                    (it.start_s() - first_s).abs() < SAME_S && it.impacts().len() <= few.len()
+                };
+                let offers = &found.candidates;
+                assert!(
+                    offers.iter().any(is_offer),
+                    "{restitution} from {height_m} m, {} impacts: {offers:?}",
+                    few.len()
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn two_drops_are_two_trains() {
     let first = usual_strikes();

@@ -19,7 +19,7 @@ diagnostic-clipped = { $samples ->
     [one] 1 Abtastwert ist übersteuert
    *[other] { $samples } Abtastwerte sind übersteuert
   }: Die Aufnahme war zu laut; Zeiten leiden kaum, Pegel schon.
-diagnostic-earlier-impact = Ein Geräusch bei { $time_s } s, vor dem Versuch ab { $start_s } s, klingt wie seine Aufpralle, passt aber nicht zu seinen Flügen: War es der erste Aufprall, fiel der Ball von höher als angegeben.
+diagnostic-earlier-impact = Ein Geräusch bei { $time_s } s, vor dem Versuch ab { $start_s } s, kann ein früherer Aufprall sein, auch wenn es schlecht zu den anderen passt: Dann fiel der Ball von höher als angegeben.
 diagnostic-sounds-unused = { $count } Geräusche bei dem Versuch ab { $start_s } s sind so laut wie seine Aufpralle und blieben ungenutzt: andere Geräusche oder ein zweiter Ball.
 diagnostic-possible-drop = Möglicher Versuch { $number }: ab { $start_s } s, { $impacts } Aufpralle, Wahrscheinlichkeit { $probability }. Er zählt nur, wenn man ihn annimmt (--accept { $number }).
 diagnostic-no-candidate = Einen möglichen Versuch mit der Nummer { $number } gibt es nicht, sondern { $count ->

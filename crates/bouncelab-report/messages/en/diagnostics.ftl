@@ -22,7 +22,7 @@ diagnostic-clipped = { $samples ->
     [one] 1 sample is clipped
    *[other] { $samples } samples are clipped
   }: the recording level was too high; impact times are hardly affected, levels are.
-diagnostic-earlier-impact = A sound at { $time_s } s, before the drop from { $start_s } s, is like its impacts but does not fit its flights: if it was the first impact, the ball fell from higher than is stated.
+diagnostic-earlier-impact = A sound at { $time_s } s, before the drop from { $start_s } s, may be an earlier impact, though it fits the others badly: if it is, the ball fell from higher than is stated.
 diagnostic-sounds-unused = { $count } sounds near the drop from { $start_s } s are as loud as its impacts and were not used: other sounds, or a second ball.
 diagnostic-possible-drop = Possible drop { $number }: from { $start_s } s, { $impacts } impacts, probability { $probability }. It counts only if you accept it (--accept { $number }).
 diagnostic-no-candidate = There is no possible drop of the number { $number }, but { $count ->

@@ -19,7 +19,7 @@ diagnostic-clipped = { $samples ->
     [one] 1 muestra está recortada
    *[other] { $samples } muestras están recortadas
   }: el nivel de grabación era demasiado alto; los tiempos de impacto apenas se ven afectados, los niveles sí.
-diagnostic-earlier-impact = Un sonido en { $time_s } s, antes del ensayo desde { $start_s } s, suena como sus impactos pero no encaja con sus vuelos: si fue el primer impacto, la pelota cayó de más alto de lo que se indica.
+diagnostic-earlier-impact = Un sonido en { $time_s } s, antes del ensayo desde { $start_s } s, puede ser un impacto anterior, aunque encaja mal con los demás: si lo es, la pelota cayó de más alto de lo que se indica.
 diagnostic-sounds-unused = { $count } sonidos cerca del ensayo desde { $start_s } s son tan fuertes como sus impactos y no se usaron: otros sonidos o una segunda pelota.
 diagnostic-possible-drop = Posible ensayo { $number }: desde { $start_s } s, { $impacts } impactos, probabilidad { $probability }. Solo cuenta si lo aceptas (--accept { $number }).
 diagnostic-no-candidate = No hay ningún posible ensayo con el número { $number }, sino { $count ->

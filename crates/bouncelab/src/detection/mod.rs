@@ -55,6 +55,8 @@ pub struct DetectionOptions {
     pub channel: Option<usize>,
     /// The only frequencies to use, in Hz; if `None`, all bands, each against its own background.
     pub band_hz: Option<Range<f64>>,
+    /// The sample rate in Hz of a file that does not state it: samples in text without times.
+    pub rate_hz: Option<u32>,
 }
 
 /// The detections in a recording.
@@ -130,8 +132,7 @@ impl Detection {
             at_once.with("start_s", start_s).with("end_s", end_s)
         }));
         diagnostics.extend(self.found.trains.iter().filter_map(|train| {
-            let earlier =
-                Diagnostic::new(Code::EarlierImpact).with("time_s", train.alike_before_s?);
+            let earlier = Diagnostic::new(Code::EarlierImpact).with("time_s", train.earlier_s?);
             Some(earlier.with("start_s", train.start_s()))
         }));
         let near = self

@@ -15,6 +15,8 @@ pub struct DetectionSettings {
     pub channel: Option<usize>,
     /// The only frequencies to use, in Hz; all bands, each against its own background, if left out.
     pub band_hz: Option<(f64, f64)>,
+    /// The sample rate in Hz of a file that does not state it: samples in text without times.
+    pub rate_hz: Option<u32>,
 }
 
 /// Candidates accepted, and impacts excluded and included by hand.
@@ -50,6 +52,7 @@ impl DetectionSettings {
         DetectionOptions {
             channel: self.channel,
             band_hz: self.band_hz.map(|(low, high)| low..high),
+            rate_hz: self.rate_hz,
         }
     }
 }

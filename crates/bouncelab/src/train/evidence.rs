@@ -6,9 +6,9 @@
 use super::parameters::{
     ASSUMED_SOUNDS, FIRST_RATIO_DENSITY, GRAVITY_M_S2, HIGH_DROP_M, LEVEL_FALL_DB,
     LEVEL_FALL_DB_PER_E_FOLD, LEVEL_RANGE_DB, LEVEL_SCATTER_DB, LN_DROP, MAX_BAND_DEPTH_DB,
-    MIN_BETWEEN_DROPS_S, MIN_COMPARED_BANDS, MIN_OBSERVED_S, MIN_OTHERS_PER_FLIGHT,
-    OUTLIER_SOUND_SHARE, QUIET_DB, RHYTHM_JITTER, RHYTHM_WEIGHT, SHORT_FIRST_FLIGHT_S,
-    SOUNDS_PER_DROP, SURROUNDINGS_S, TIMBRE_RANGE_DB, TIMBRE_SCATTER_DB,
+    MIN_BETWEEN_DROPS_S, MIN_COMPARED_BANDS, MIN_DULL_LN_RATIO, MIN_OBSERVED_S,
+    MIN_OTHERS_PER_FLIGHT, OUTLIER_SOUND_SHARE, QUIET_DB, RHYTHM_JITTER, RHYTHM_WEIGHT,
+    SHORT_FIRST_FLIGHT_S, SOUNDS_PER_DROP, SURROUNDINGS_S, TIMBRE_RANGE_DB, TIMBRE_SCATTER_DB,
 };
 use crate::onset::{BANDS, Onset};
 use std::f64::consts::{PI, SQRT_2};
@@ -79,6 +79,11 @@ fn rhythm(change: f64) -> f64 {
 /// Logarithm of the probability ratio of the level and the spectrum of two sounds, if they are impacts of one ball.
 pub(super) fn ln_alike(onset: &Onset, next: &Onset) -> f64 {
     Sound::of(onset).similarity(&Sound::of(next)).ln()
+}
+
+/// Logarithm by which the fall of the level between two sounds is more likely if they may be those of a dull ball.
+pub(super) fn ln_fall_of_two(onset: &Onset, next: &Onset) -> f64 {
+    Sound::of(onset).fall(&Sound::of(next)).of_two().ln()
 }
 
 /// Level and spectrum of a sound, for the comparison with others.
@@ -174,6 +179,18 @@ impl Fall {
     /// Its density over the prior one, given the logarithm of the ratio of the flights before the two impacts.
     pub(super) fn given_ratio(&self, ln_ratio: f64) -> f64 {
         Self::density(self.db + LEVEL_FALL_DB_PER_E_FOLD * ln_ratio) / self.prior_density()
+    }
+
+    /// Its density over the prior one for two impacts, whose ratio no third shows: of a ball that was caught, or of a dull one,
+    /// whose falls are equally likely up to that of the least ratio.
+    fn of_two(&self) -> f64 {
+        let most_db = LEVEL_SCATTER_DB - MIN_DULL_LN_RATIO * LEVEL_FALL_DB_PER_E_FOLD;
+        let of_dull = if (0.0..most_db).contains(&self.db) {
+            1.0 / most_db
+        } else {
+            0.0
+        };
+        0.5 + 0.5 * of_dull / self.prior_density()
     }
 
     /// Upper bound of [`Self::given_ratio`].

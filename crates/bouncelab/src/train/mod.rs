@@ -75,8 +75,8 @@ pub struct Train {
     log_bayes_factor: f64,
     /// Sounds near it that are nearly as loud as its loudest impact, and belong to no train.
     pub(crate) unused: usize,
-    /// Time in seconds of a sound before it that is like its first impact: perhaps an earlier impact whose flight fits badly.
-    pub(crate) alike_before_s: Option<f64>,
+    /// Time in seconds of a sound before it that may be an earlier impact.
+    pub(crate) earlier_s: Option<f64>,
 }
 
 impl Train {
@@ -87,7 +87,7 @@ impl Train {
             evidence,
             log_bayes_factor,
             unused: 0,
-            alike_before_s: None,
+            earlier_s: None,
         }
     }
 
@@ -143,9 +143,9 @@ impl Train {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// The flight before the first impact, if there was one and the flights shrink as the first few do, in seconds.
-    fn earlier_flight_s(&self) -> f64 {
-        flight_s(&self.impacts[..2]) / ratio_near(&self.impacts, 0)
+    /// The first flight in seconds, and the ratio by which the flights after it shrink.
+    fn first_flight_s(&self) -> (f64, f64) {
+        (flight_s(&self.impacts[..2]), ratio_near(&self.impacts, 0))
     }
 
     /// The level of its loudest impact, in dB.

@@ -14,10 +14,11 @@ pub(super) const GRAVITY_M_S2: f64 = 9.81;
 
 /// Minimum evidence of a train, nats: from there on a drop is more likely than other sounds.
 pub(super) const MIN_EVIDENCE: f64 = 0.0;
-/// Minimum evidence of a train that is offered where no drop is certain, nats: one in a hundred is a drop.
-pub(super) const MIN_CANDIDATE_EVIDENCE: f64 = -4.6;
-/// Minimum number of impacts of such a train: two flights show whether they shrink.
-pub(super) const MIN_CANDIDATE_IMPACTS: usize = 3;
+/// Minimum evidence of a train that is offered where no drop is certain, nats: one in two hundred is a drop.
+pub(super) const MIN_CANDIDATE_EVIDENCE: f64 = -5.3;
+/// Minimum number of impacts of such a train: two flights show whether they shrink. If there are no three, two sounds that are alike
+/// may be the impacts of a ball that soon rests.
+pub(super) const MIN_CANDIDATE_IMPACTS: [usize; 2] = [3, 2];
 /// Maximum number of such trains of a recording.
 pub(super) const MAX_CANDIDATES: usize = 3;
 /// Time after a train in which one that begins before the same ball could fall again is searched for, s.
@@ -69,8 +70,16 @@ pub(super) const UNUSED_REACH_S: f64 = 1.0;
 pub(super) const UNUSED_BELOW_DB: f64 = 3.0;
 /// Number of them from which they are reported: one or two are a hand, a step or a click.
 pub(crate) const MIN_UNUSED: usize = 3;
-/// How far the flight after an earlier impact may differ from the expected one, as a share of it: sound may have been lost.
+/// How far an earlier impact that sounds alike may be from the expected time, as a share of the flight after it: sound may have been
+/// lost.
 pub(super) const EARLIER_FLIGHT_REACH: f64 = 0.12;
+/// The same for any sound, which may hide the impact: the ratio of two flights scatters by a percent, and the noise of a
+/// damaged packet may begin 20 ms before the impact.
+pub(super) const HIDDEN_FLIGHT_REACH: f64 = 0.06;
+/// Maximum depth of its level below that of the first impact, dB: noise that hides it may begin softly.
+pub(super) const HIDDEN_BELOW_DB: f64 = 20.0;
+/// Maximum number of such sounds within two flights before the first impact: among more, one is there by chance.
+pub(super) const MAX_HIDING: usize = 8;
 
 // Crowds of faint onsets.
 
@@ -114,8 +123,10 @@ pub(super) const MIN_FLIGHT_S: f64 = 0.008;
 pub(super) const MIN_FIRST_FLIGHT_S: f64 = 0.04;
 /// Maximum number of missed impacts in a row.
 pub(super) const MAX_MISSED: usize = 2;
-/// Logarithm of the flight ratio of a dead bounce (0.41).
+/// Logarithm of the minimum flight ratio of a drop of [`MIN_IMPACTS`](super::MIN_IMPACTS) impacts (0.41).
 pub(super) const MIN_LN_RATIO: f64 = -0.9;
+/// Logarithm of the minimum flight ratio of fewer impacts, which are only offered (0.1).
+pub(super) const MIN_DULL_LN_RATIO: f64 = -2.3;
 /// Logarithm of the flight ratio of a nearly perfect bounce (0.995).
 pub(super) const MAX_LN_RATIO: f64 = -0.005;
 /// Maximum difference of the logarithm of an interval from the predicted one.

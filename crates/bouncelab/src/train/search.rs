@@ -5,10 +5,10 @@ use super::chain::{self, Chain, Chains, Link};
 use super::evidence::{self, Span};
 use super::parameters::{
     AGREEING_IMPACTS, AGREEING_OTHERS, AGREEING_SOUNDS, COMPARED_MARGIN_S, COMPARED_REACH_S,
-    CONCURRENT_REACH_S, CROWD_REACH_S, EARLIER_FLIGHT_REACH, FOLLOWING_REACH_S, ISOLATION_REACH_S,
-    LN_CONCURRENT, LN_CONTINUES, LN_RHYTHM, MAX_COMPARED, MAX_DOUBT, MAX_FAINT_ONSETS,
-    MIN_CANDIDATE_EVIDENCE, MIN_CANDIDATE_IMPACTS, MIN_EVIDENCE, MIN_FALL_S, UNUSED_BELOW_DB,
-    UNUSED_REACH_S,
+    CONCURRENT_REACH_S, CROWD_REACH_S, EARLIER_FLIGHT_REACH, FOLLOWING_REACH_S, HIDDEN_BELOW_DB,
+    HIDDEN_FLIGHT_REACH, ISOLATION_REACH_S, LN_CONCURRENT, LN_CONTINUES, LN_RHYTHM, MAX_COMPARED,
+    MAX_DOUBT, MAX_FAINT_ONSETS, MAX_HIDING, MAX_MISSED, MIN_CANDIDATE_EVIDENCE,
+    MIN_CANDIDATE_IMPACTS, MIN_EVIDENCE, MIN_FALL_S, UNUSED_BELOW_DB, UNUSED_REACH_S,
 };
 use super::rhythm::{self, Pulse};
 use super::{MIN_IMPACTS, Onset, PeriodicSequence, Train, TrainImpact, TrainSearch};
@@ -138,12 +138,17 @@ fn weigh_sounds(chain: &mut Chain, onsets: &[Onset], read: Read) {
 /// The best chain among onsets without a drop, also of fewer impacts, if it is not much less likely than chance.
 fn candidate(chains: &Chains, read: Read) -> Option<Train> {
     let onsets = chains.onsets;
-    let mut chain = chains.best(MIN_CANDIDATE_IMPACTS)?;
-    weigh_sounds(&mut chain, onsets, read);
-    // More evidence than of chance has only a chain that is too short for a drop.
-    let evidence = over_chance_and_rhythm(onsets, &chain).min(MIN_EVIDENCE);
-    (evidence > MIN_CANDIDATE_EVIDENCE)
-        .then(|| Train::new(impacts(onsets, &chain), evidence, chain.evidence))
+    MIN_CANDIDATE_IMPACTS.into_iter().find_map(|min_impacts| {
+        let mut chain = chains.best(min_impacts)?;
+        if let [first, second] = &chain.links[..] {
+            chain.evidence += evidence::ln_fall_of_two(&onsets[first.onset], &onsets[second.onset]);
+        }
+        weigh_sounds(&mut chain, onsets, read);
+        // More evidence than of chance has only a chain that is too short for a drop.
+        let evidence = over_chance_and_rhythm(onsets, &chain).min(MIN_EVIDENCE);
+        (evidence > MIN_CANDIDATE_EVIDENCE)
+            .then(|| Train::new(impacts(onsets, &chain), evidence, chain.evidence))
+    })
 }
 
 /// Adds the drops that share their time with these: other balls that bounce concurrently.
@@ -203,18 +208,38 @@ fn note_unused(onsets: &[Onset], trains: &mut [Train]) {
         let min_db = train.loudest_db() - UNUSED_BELOW_DB;
         let is_loud = |o: &&&Onset| near_s.contains(&o.time_s) && o.level_db > min_db;
         train.unused = unused.iter().filter(is_loud).count();
-        let first = &train.impacts[0].onset;
-        let flight_s = train.earlier_flight_s();
-        let may_be_s = first.time_s - (1.0 + EARLIER_FLIGHT_REACH) * flight_s
-            ..first.time_s - (1.0 - EARLIER_FLIGHT_REACH) * flight_s;
-        let is_earlier = |o: &&&Onset| {
-            may_be_s.contains(&o.time_s)
-                && o.level_db > first.level_db - UNUSED_BELOW_DB
+        train.earlier_s = earlier_impact_s(train, &unused);
+    }
+}
+
+/// The time of a sound that may be an impact before the first one of a train, if its flights shrink as the first few do: one
+/// that is like the first impact, or one about as loud just where the impact before should be, since damage
+/// or another sound may have hidden it.
+fn earlier_impact_s(train: &Train, unused: &[&Onset]) -> Option<f64> {
+    let first = &train.impacts[0].onset;
+    let (mut flight_s, ratio) = train.first_flight_s();
+    let mut due_s = first.time_s;
+    let is_loud = |o: &&&Onset, below_db: f64| o.level_db > first.level_db - below_db;
+    (0..=MAX_MISSED).find_map(|missed| {
+        flight_s /= ratio;
+        due_s -= flight_s;
+        let near = |o: &&&Onset, reach: f64| (o.time_s - due_s).abs() < reach * flight_s;
+        let is_alike = |o: &&&Onset| {
+            near(o, EARLIER_FLIGHT_REACH)
+                && is_loud(o, UNUSED_BELOW_DB)
                 && evidence::ln_alike(o, first) > 0.0
         };
-        let earlier = unused.iter().rfind(is_earlier);
-        train.alike_before_s = earlier.map(|onset| onset.time_s);
-    }
+        let alike = unused.iter().rfind(is_alike);
+        let before_s = due_s - flight_s..first.time_s;
+        let hides = |o: &&&Onset| before_s.contains(&o.time_s) && is_loud(o, HIDDEN_BELOW_DB);
+        let hiding: Vec<_> = unused.iter().filter(hides).collect();
+        let mut there = hiding.iter().filter(|o| near(o, HIDDEN_FLIGHT_REACH));
+        let hidden = there
+            .next()
+            .filter(|_| missed == 0 && hiding.len() <= MAX_HIDING);
+        let earlier = alike.or(hidden.copied());
+        earlier.map(|onset| onset.time_s)
+    })
 }
 
 /// Takes out a sequence that keeps time, with the beats that continue it to both sides; returns the

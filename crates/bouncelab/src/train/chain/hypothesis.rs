@@ -2,10 +2,11 @@
 
 use super::trend::Trend;
 use crate::onset::Onset;
+use crate::train::MIN_IMPACTS;
 use crate::train::evidence::{self, Fall, Surroundings};
 use crate::train::parameters::{
     FIRST_RATIO_DENSITY, LN_MISSED, MAX_LEARNT_SURPRISE, MAX_MISSED, MAX_SURPRISE,
-    MIN_FIRST_FLIGHT_S, MIN_LN_RATIO, MIN_SCATTER, SCATTER_PRIOR_COUNT, SURFACES,
+    MIN_DULL_LN_RATIO, MIN_FIRST_FLIGHT_S, MIN_SCATTER, SCATTER_PRIOR_COUNT, SURFACES,
 };
 
 /// The hypothesis that a sequence of onsets is the impacts of a drop, and what was learnt from them.
@@ -148,7 +149,9 @@ impl Hypothesis {
             };
         }
         let surprise = change - prediction.ln_interval;
-        if surprise.abs() > MAX_SURPRISE {
+        // The flights of a dull ball become too short to be heard before it has the impacts of a drop.
+        let is_beyond = self.trend.is_dull() && (missed > 0 || self.impacts() + 1 >= MIN_IMPACTS);
+        if surprise.abs() > MAX_SURPRISE || is_beyond {
             return None;
         }
         // The level follows the ratio of the flights before the two impacts: measured, or if impacts were missed, predicted.
@@ -182,7 +185,7 @@ impl Hypothesis {
     /// The third impact: it sets the ratio.
     fn third(&self, step: &Step, change: f64, min_evidence: f64) -> Option<Self> {
         // No flight is longer than the one before, but for the errors of the times.
-        if !(MIN_LN_RATIO..=step.variance.sqrt()).contains(&change) {
+        if !(MIN_DULL_LN_RATIO..=step.variance.sqrt()).contains(&change) {
             return None;
         }
         let evidence = self.evidence

@@ -34,7 +34,12 @@ impl Trend {
     /// Logarithm of the next flight over one whose duration has this square, in s².
     pub(super) fn ln_ratio(&self, flight2: f64) -> f64 {
         let ln_ratio = self.ln_ratio - self.fall * flight2;
-        ln_ratio.clamp(MIN_LN_RATIO, MAX_LN_RATIO)
+        ln_ratio.clamp(MIN_LN_RATIO.min(self.ln_ratio), MAX_LN_RATIO)
+    }
+
+    /// Whether the ball keeps less of its speed than any of which a drop is recognised.
+    pub(super) fn is_dull(&self) -> bool {
+        self.ln_ratio < MIN_LN_RATIO
     }
 
     /// The variance of this prediction due to the uncertainty of a and b.
