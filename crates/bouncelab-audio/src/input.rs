@@ -9,6 +9,7 @@ use crate::error::{Error, Result};
 use crate::source::SoundReader;
 use crate::times::{self, Listed, TimeList};
 use crate::warning::Warning;
+use crate::waveform::Samples;
 
 /// The content of a file: a recording, or impact times that another program or a person measured.
 #[derive(Debug)]
@@ -17,6 +18,9 @@ pub enum Input {
     Sound(Box<SoundReader>),
     /// A list of impact times.
     Times(TimeList),
+    /// Samples without times, which are a recording at the rate of
+    /// [`DetectionOptions::rate_hz`](bouncelab::DetectionOptions::rate_hz).
+    Samples(Samples),
 }
 
 impl Input {
@@ -69,6 +73,7 @@ impl Input {
         match times::listed(bytes, name)? {
             Listed::Times(list) => Ok(Self::Times(list)),
             Listed::Waveform(waveform) => Ok(Self::Sound(Box::new(waveform.source(name)?))),
+            Listed::Samples(samples) => Ok(Self::Samples(samples)),
         }
     }
 
@@ -79,7 +84,7 @@ impl Input {
     ///
     /// # Errors
     ///
-    /// Those of [`SoundReader::next_block`] and [`Detector::with_options`], and those of `watch`.
+    /// Those of [`Samples::at`], [`SoundReader::next_block`] and [`Detector::with_options`], and those of `watch`.
     ///
     /// ```
     /// use bouncelab::Options;
@@ -97,7 +102,8 @@ impl Input {
     ) -> std::result::Result<Plan, E> {
         let mut source = match self {
             Self::Times(list) => return Ok(Plan::of_list(&list.times_s, list.origin, options)),
-            Self::Sound(source) => source,
+            Self::Sound(source) => *source,
+            Self::Samples(samples) => samples.at(options.detection.rate_hz)?,
         };
         let (rate_hz, channels) = (source.sample_rate_hz(), source.channels());
         let mut detector = Detector::with_options(rate_hz, channels, &options.detection)?;
@@ -119,7 +125,7 @@ impl Input {
     pub fn duration_s(&self) -> Option<f64> {
         match self {
             Self::Sound(source) => source.duration_s(),
-            Self::Times(_) => None,
+            Self::Times(_) | Self::Samples(_) => None,
         }
     }
 }

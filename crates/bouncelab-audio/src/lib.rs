@@ -51,3 +51,4 @@ pub use source::{
 };
 pub use warning::Warning;
 pub use wav::{SampleFormat, encode_wav};
+pub use waveform::Samples;

@@ -193,6 +193,14 @@ pub enum TimesProblem {
         /// The minimum of sound.
         min_hz: u32,
     },
+    /// One column of samples.
+    #[error(
+        "{rows} samples without times, and no list of impact times; state their rate, as in --rate 44100"
+    )]
+    NoRate {
+        /// Number of samples.
+        rows: usize,
+    },
     /// A table of positions over time.
     #[error(
         "positions over time, and no list of impact times (columns: {found}); analyze the recording, or list the times \

@@ -7,7 +7,7 @@
 
 use std::cmp::Ordering;
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::problem::TimesProblem;
 use crate::source::{MIN_SAMPLE_RATE_HZ, SoundReader};
 use crate::times::heading::{is_of_times, seconds};
@@ -27,6 +27,8 @@ const MAX_DEVIATION: f64 = 0.02;
 const MAX_TREND: f64 = 0.01;
 /// Maximum number of samples of all channels, which are kept in memory.
 const MAX_SAMPLES: usize = 1 << 23;
+/// Minimum number of samples in one column without times: a quarter of a second at the lowest rate. No drop has as many impacts.
+const MIN_SAMPLES: usize = 1_000;
 /// Maximum number of lines of headings: some instruments write a page of settings first.
 const MAX_HEADINGS: usize = 200;
 /// Maximum number of columns, that of the times included.
@@ -43,6 +45,54 @@ const MAX_INTERVAL: f64 = 1.5;
 pub(crate) struct Waveform {
     sample_rate_hz: u32,
     channels: Vec<Vec<f32>>,
+}
+
+/// Samples of a sound in a table without times: the file does not state their rate.
+#[derive(Debug)]
+pub struct Samples {
+    name: String,
+    column: Vec<f32>,
+}
+
+impl Samples {
+    /// The samples in a text that is one column of many numbers, which rise and fall.
+    pub(crate) fn find(text: &str, name: &str) -> Option<Self> {
+        let numbers = || lines(text).map(|(_, line)| number(line.trim().trim_matches('"'), ','));
+        let headings = numbers().take(MAX_HEADINGS).position(|it| it.is_some())?;
+        let column: Option<Vec<f32>> = numbers()
+            .skip(headings)
+            .map(|it| Some(it? as f32))
+            .collect();
+        let column = column.filter(|it| (MIN_SAMPLES..=MAX_SAMPLES).contains(&it.len()))?;
+        let falls = column.windows(2).any(|pair| pair[1] < pair[0]);
+        let rises = column.windows(2).any(|pair| pair[1] > pair[0]);
+        let name = name.to_owned();
+        (falls && rises).then_some(Self { name, column })
+    }
+
+    /// The sound of these samples at a rate in Hz, which the caller knows.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Times`](crate::Error::Times) without a rate, [`Error::UnsupportedLayout`](crate::Error::UnsupportedLayout) if it is no
+    /// rate of sound.
+    pub fn at(self, rate_hz: Option<u32>) -> Result<SoundReader> {
+        let Some(sample_rate_hz) = rate_hz else {
+            return Err(self.without_rate());
+        };
+        let channels = vec![self.column];
+        let waveform = Waveform {
+            sample_rate_hz,
+            channels,
+        };
+        waveform.source(&self.name)
+    }
+
+    /// What to say without a rate.
+    pub(crate) fn without_rate(&self) -> Error {
+        let rows = self.column.len();
+        Error::times(&self.name, None, TimesProblem::NoRate { rows })
+    }
 }
 
 impl Waveform {

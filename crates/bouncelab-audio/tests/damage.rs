@@ -205,7 +205,7 @@ fn a_packet_of_alac_that_becomes_noise_is_missing() {
     }
 }
 
-/// Of the tag's counts of frames and bytes both are others.
+/// Of the tag's counts of frames and bytes both are others; where the frames do not fit together, the place is known.
 #[test]
 fn frames_of_mp3_that_are_missing_or_repeated_are_noticed_by_the_tag() {
     for name in ["constant.mp3", "variable.mp3"] {
@@ -215,11 +215,98 @@ fn frames_of_mp3_that_are_missing_or_repeated_are_noticed_by_the_tag() {
                 let mut source = SoundReader::from_bytes(damage.at(percent, &file), name).unwrap();
                 while source.next_block().unwrap().is_some() {}
                 let is_noticed = source.warnings().iter().any(|warning| {
-                    matches!(warning, Warning::Altered { .. } | Warning::ClockLost { .. })
+                    matches!(
+                        warning,
+                        Warning::Altered { .. }
+                            | Warning::ClockLost { .. }
+                            | Warning::Missing { .. }
+                    )
                 });
                 let warnings = source.warnings();
                 assert!(is_noticed, "{name}, {damage:?} at {percent}: {warnings:?}");
             }
+        }
+    }
+}
+
+/// Nothing counts the frames. A copy follows none; a missing frame shows where the sound of the next would begin within that of
+/// the one before, or where their windows do not fit, as at an impact.
+#[test]
+fn frames_of_mp3_that_cannot_follow_each_other_are_noticed() {
+    let noticed_s = |file: &[u8], name| {
+        let (_, gaps) = read(file, name);
+        gaps.first()
+            .filter(|gap| !gap.certain)
+            .map(|gap| gap.start_s)
+    };
+    for name in ["constant-no-tag.mp3", "variable-no-tag.mp3"] {
+        let file = files().into_iter().find(|it| it.0 == name).unwrap().1;
+        assert_eq!(read(&file, name).1, []);
+        for percent in (2..98).step_by(3) {
+            let found_s = noticed_s(&Damage::Repeated.at(percent, &file), name);
+            let true_s = 4.06 * percent as f64 / 100.0;
+            assert!(
+                found_s.is_some_and(|it| (it - true_s).abs() < 0.1),
+                "{name}: {percent}, {found_s:?}"
+            );
+        }
+        // At impacts.
+        for percent in [28, 38] {
+            assert!(
+                noticed_s(&Damage::Dropped.at(percent, &file), name).is_some(),
+                "{name}: {percent}"
+            );
+        }
+    }
+}
+
+/// Of a recording in parts of a second each the second part is missing, or lists other lengths than follow.
+#[test]
+fn parts_of_mp4_that_do_not_follow_each_other_end_the_recording() {
+    let name = "aac-parts.mp4";
+    let file = files().into_iter().find(|it| it.0 == name).unwrap().1;
+    assert_eq!(read(&file, name).1, []);
+    let parts: Vec<usize> = (0..file.len() - 4)
+        .filter(|&at| &file[at..at + 4] == b"moof")
+        .map(|at| at - 4)
+        .collect();
+    let without = [&file[..parts[1]], &file[parts[2]..]].concat();
+    // The last byte of the length of a sample, in the list at the end of the part.
+    let mut longer = file.clone();
+    let sound = file[parts[1]..]
+        .windows(4)
+        .position(|it| it == b"mdat")
+        .unwrap();
+    longer[parts[1] + sound - 5] ^= 1;
+    for damaged in [without, longer] {
+        let mut source = SoundReader::from_bytes(damaged, name).unwrap();
+        while source.next_block().unwrap().is_some() {}
+        let [Warning::Truncated { read_s, .. }] = *source.warnings() else {
+            panic!("{:?}", source.warnings())
+        };
+        assert!(
+            (read_s - 1.0).abs() < 0.05 && source.gaps().is_empty(),
+            "{read_s}"
+        );
+    }
+}
+
+/// Changed bits that no checksum covers hide the first impacts under noise, so that the drop seems to come from lower, or alter
+/// the rate in one of the two places that state it.
+#[test]
+fn damage_that_no_checksum_covers_is_named() {
+    let options = Options::default().without_inference();
+    for (name, damage, places) in [
+        ("opus.mp4", Damage::Bits, &[42, 50, 62, 74][..]),
+        ("opus.webm", Damage::Bits, &[18]),
+        ("alac.caf", Damage::Header, &[134]),
+    ] {
+        let file = files().into_iter().find(|it| it.0 == name).unwrap().1;
+        let whole = analyse(&file, name, &options).unwrap();
+        for &place in places {
+            let damaged = analyse(&damage.at(place, &file), name, &options);
+            let verdict = judge(&whole, damaged.as_ref().ok());
+            assert_ne!(verdict, Verdict::Wrong, "{name}, {damage:?} at {place}");
         }
     }
 }

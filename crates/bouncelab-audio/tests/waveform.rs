@@ -221,3 +221,38 @@ fn a_device_is_no_list() {
         }
     ));
 }
+
+/// One column that rises and falls has no times: its rate is stated, or it is refused. Few numbers are a list.
+#[test]
+fn one_column_of_samples_is_read_at_a_stated_rate() {
+    let column: Vec<String> = (0..2_000).map(|n| sample(n).to_string()).collect();
+    let column = column.join("\n");
+    let samples = |text: &str| match Input::from_bytes(text.as_bytes(), "samples.txt") {
+        Ok(Input::Samples(samples)) => samples,
+        other => panic!("{text:.40}: {other:?}"),
+    };
+    let with_heading = format!("Recording (a.u.)\n{}", column.replace('.', ","));
+    for text in [column, with_heading] {
+        let mut source = samples(&text).at(Some(44_100)).unwrap();
+        assert_eq!((source.sample_rate_hz(), source.channels()), (44_100, 1));
+        let block = source.next_block().unwrap().unwrap();
+        let expected: Vec<f32> = (0..block.frames()).map(sample).collect();
+        assert_eq!(block.channel(0), &expected);
+        assert!(matches!(
+            samples(&text).at(Some(100)),
+            Err(Error::UnsupportedLayout { .. })
+        ));
+        let rows = 2_000;
+        let unstated = samples(&text).at(None).map(drop).unwrap_err();
+        assert!(
+            matches!(unstated, Error::Times { problem: TimesProblem::NoRate { rows: found }, .. } if found == rows)
+        );
+    }
+    assert!(matches!(
+        refusal("0.1\n0.3\n0.2\n"),
+        Error::Times {
+            problem: TimesProblem::NoOrder { .. },
+            ..
+        }
+    ));
+}

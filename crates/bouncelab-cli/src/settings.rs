@@ -173,6 +173,9 @@ pub(crate) struct EditArguments {
     /// background)
     #[arg(long, value_name = "LOW..HIGH", value_parser = frequency_range)]
     band: Option<Range<f64>>,
+    /// Samples a second of a text that is one column of samples without times
+    #[arg(long, value_name = "HZ", value_parser = clap::value_parser!(u32).range(1..))]
+    rate: Option<u32>,
     /// Take for a drop what is only possibly one, by its number in the result without it
     #[arg(long, value_name = "N", value_delimiter = ',')]
     accept: Vec<usize>,
@@ -223,6 +226,7 @@ impl RecordingArguments {
         let mut settings = self.settings()?;
         let band_hz = edits.band.as_ref();
         settings.detection.band_hz = band_hz.map(|band_hz| (band_hz.start, band_hz.end));
+        settings.detection.rate_hz = edits.rate;
         settings.edits = EditSettings {
             accept: Some(edits.accept.clone()),
             exclude_s: Some(edits.exclude.clone()),

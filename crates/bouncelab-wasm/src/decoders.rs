@@ -46,13 +46,15 @@ impl Opened {
 
     /// The sound, if it is no list.
     pub fn decoder(self) -> Result<Decoder> {
-        match self.0 {
-            Input::Sound(source) => Ok(Decoder {
-                samples: vec![Vec::new(); source.channels()],
-                source: *source,
-            }),
-            Input::Times(_) => Err(Refusal::fault("a list of times has no sound")),
-        }
+        let source = match self.0 {
+            Input::Sound(source) => *source,
+            Input::Samples(samples) => samples.at(None)?,
+            Input::Times(_) => return Err(Refusal::fault("a list of times has no sound")),
+        };
+        Ok(Decoder {
+            samples: vec![Vec::new(); source.channels()],
+            source,
+        })
     }
 }
 

@@ -7,6 +7,18 @@ use symphonia::core::packet::Packet;
 
 use super::codec::{self, Layout, runs};
 
+/// The set-up of ALAC within a description of sound; its last four bytes are the rate.
+pub(super) fn alac_setup(description: &[u8]) -> Option<&[u8]> {
+    /// Its header: its size of 36 bytes, its name, version and flags.
+    const HEADER: &[u8] = b"\0\0\0\x24alac\0\0\0\0";
+    /// Bytes of the set-up behind that.
+    const LEN: usize = 24;
+    let at = description
+        .windows(HEADER.len())
+        .position(|it| it == HEADER)?;
+    description[at + HEADER.len()..].get(..LEN)
+}
+
 /// A decoder for one stream.
 pub(super) struct Alac {
     inner: Box<dyn AudioDecoder>,

@@ -4,6 +4,7 @@
 
 use std::io::{self, Read, Seek};
 
+use super::alac::alac_setup;
 use super::chunks::{Chunks, Header, MAX_CHUNKS, RateDoubt, Samples, Variant};
 
 /// The rates in Hz at which recorders write these formats. They state the rate only once, and one wrong bit in it may
@@ -21,6 +22,7 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
     let mut chunks = Chunks::new(source)?;
     let mut header = Header::default();
     let mut description = None;
+    let mut cookie_hz = None;
     for _ in 0..MAX_CHUNKS {
         let Some((name, content)) = chunks.next()? else {
             break;
@@ -34,6 +36,11 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
                     _ => Description::of_aiff(&bytes),
                 };
             }
+            // The set-up of ALAC states the rate again.
+            b"kuki" if len <= MAX_DESCRIPTION => {
+                let bytes = chunks.read(&content)?;
+                cookie_hz = alac_setup(&bytes).and_then(|it| it.last_chunk().copied());
+            }
             b"SSND" | b"data" => {
                 let sound = len.saturating_sub(AIFF_SOUND);
                 let stated = description.as_ref();
@@ -46,7 +53,14 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
     }
     // Decoders of compressed sound have another number of the rate.
     let is_doubtful = |it: &Description| it.samples.is_some() && !USUAL_HZ.contains(&it.rate_hz);
-    header.rate_doubt = description.filter(is_doubtful).map(|_| RateDoubt::Unusual);
+    let other_hz = description.as_ref().map(|it| it.rate_hz).filter(|rate_hz| {
+        let cookie_hz = cookie_hz.map(|it| f64::from(u32::from_be_bytes(it)));
+        cookie_hz.is_some_and(|cookie_hz| (cookie_hz - rate_hz).abs() >= 1.0)
+    });
+    header.rate_doubt = match other_hz {
+        Some(other_hz) => Some(RateDoubt::Contradicted(other_hz)),
+        None => description.filter(is_doubtful).map(|_| RateDoubt::Unusual),
+    };
     Ok(header)
 }
 

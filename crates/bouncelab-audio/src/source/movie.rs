@@ -7,6 +7,8 @@
 
 use std::io::{self, Read, Seek, SeekFrom};
 
+use super::alac::alac_setup;
+
 /// A track.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct MovieTrack {
@@ -99,10 +101,6 @@ fn sound_entry<S: Read + Seek + ?Sized>(
     source: &mut S,
     media: &[BoxSpan],
 ) -> io::Result<Option<SoundEntry>> {
-    /// The header of the set-up of ALAC: its size of 36 bytes, its name, version and flags.
-    const ALAC: &[u8] = b"\0\0\0\x24alac\0\0\0\0";
-    /// Bytes of the set-up behind that.
-    const SETUP: usize = 24;
     let is_sound = descend(source, media, &[*b"minf", *b"smhd"])?.is_some();
     let list = descend(source, media, &[*b"minf", *b"stbl", *b"stsd"])?;
     let Some(list) = list.filter(|_| is_sound) else {
@@ -113,11 +111,9 @@ fn sound_entry<S: Read + Seek + ?Sized>(
     source.seek(SeekFrom::Start(list.start + 12))?;
     let len = (list.end - list.start).min(MAX_ENTRY);
     source.take(len).read_to_end(&mut bytes)?;
-    let setup = bytes.windows(ALAC.len()).position(|it| it == ALAC);
-    let setup = setup.and_then(|at| bytes[at + ALAC.len()..].get(..SETUP));
     Ok(bytes.first_chunk().map(|&codec| SoundEntry {
         codec,
-        alac: setup.map(<[u8]>::to_vec),
+        alac: alac_setup(&bytes).map(<[u8]>::to_vec),
     }))
 }
 

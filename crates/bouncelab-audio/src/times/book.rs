@@ -64,7 +64,7 @@ pub(super) fn of_tables(tables: Vec<NamedTable>, name: &str) -> Result<Listed> {
             list.origin.notes = about.iter().flat_map(NamedTable::notes).collect();
             Listed::Times(list)
         }
-        waveform @ Listed::Waveform(_) => waveform,
+        sound @ (Listed::Waveform(_) | Listed::Samples(_)) => sound,
     })
 }
 
@@ -72,7 +72,7 @@ pub(super) fn of_tables(tables: Vec<NamedTable>, name: &str) -> Result<Listed> {
 fn fullest(mut found: Vec<Found>, none: TimesProblem) -> std::result::Result<Listed, TimesProblem> {
     let times = |listed: &Listed| match listed {
         Listed::Times(list) => list.times_s.len(),
-        Listed::Waveform(_) => 0,
+        Listed::Waveform(_) | Listed::Samples(_) => 0,
     };
     found.sort_by_key(|(_, listed)| std::cmp::Reverse(times(listed)));
     let mut found = found.into_iter();

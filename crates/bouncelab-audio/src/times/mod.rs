@@ -11,7 +11,7 @@
 //!
 //! The kind of a table follows from its content. Headings have a word for time, impact or interval, and perhaps a unit,
 //! in four languages: a column of times, a column of intervals, or one row of stops. Without a heading, numbers that
-//! increase are times, and numbers that decrease are intervals. Times at equal steps are a sampled waveform.
+//! increase are times, and numbers that decrease are intervals. Times at equal steps are a sampled waveform, and so is one column of many numbers that rise and fall, whose rate the caller states.
 //!
 //! Commas, semicolons or tabs separate; decimals follow a point, or a comma where commas do not separate. Texts are in
 //! UTF-8, UTF-16 or Latin-1. Of a label with two ends the first counts.
@@ -39,7 +39,7 @@ use bouncelab::analysis::ListOrigin;
 use self::table::Table;
 use crate::error::{self, Error};
 use crate::problem::{MissingContent, TimesProblem};
-use crate::waveform::Waveform;
+use crate::waveform::{Samples, Waveform};
 
 /// A time, and its line in formats that have lines.
 type Entry = (Option<usize>, f64);
@@ -68,6 +68,7 @@ struct Events {
 pub(crate) enum Listed {
     Times(TimeList),
     Waveform(Waveform),
+    Samples(Samples),
 }
 
 /// Whether a file of this name is read as a list of times.
@@ -145,6 +146,7 @@ pub fn parse(content: &[u8], name: &str) -> error::Result<TimeList> {
     match listed(content, name)? {
         Listed::Times(list) => Ok(list),
         Listed::Waveform(waveform) => Err(Error::times(name, None, waveform.sampled())),
+        Listed::Samples(samples) => Err(samples.without_rate()),
     }
 }
 
@@ -177,6 +179,11 @@ fn of_text(text: &str, format: ListFormat, name: &str) -> error::Result<Listed> 
             Waveform::find(text, matches!(format, ListFormat::Csv)).map_err(refused)?
     {
         return Ok(Listed::Waveform(waveform));
+    }
+    if format.is_table()
+        && let Some(samples) = Samples::find(text, name)
+    {
+        return Ok(Listed::Samples(samples));
     }
     check_len(text.len(), MAX_LIST_LEN).map_err(|problem| refused((None, problem)))?;
     let events = match format {

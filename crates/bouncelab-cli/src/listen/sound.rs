@@ -191,17 +191,20 @@ pub(super) struct Player {
 
 impl Player {
     fn open(file: &Path, fast: bool) -> Result<Sound, Failure> {
-        match Input::open(file)? {
-            Input::Sound(source) => Ok(Sound::File(Box::new(Self {
-                source: *source,
-                pace: (!fast).then(Instant::now),
-                frames: 0,
-            }))),
-            Input::Times(_) => Err(Failure::Usage(format!(
-                "{} is a list of times without sound; use analyze",
-                Plain::path(file)
-            ))),
-        }
+        let source = match Input::open(file)? {
+            Input::Sound(source) => *source,
+            Input::Times(_) | Input::Samples(_) => {
+                return Err(Failure::Usage(format!(
+                    "{} is a list of numbers and no recording; use analyze",
+                    Plain::path(file)
+                )));
+            }
+        };
+        Ok(Sound::File(Box::new(Self {
+            source,
+            pace: (!fast).then(Instant::now),
+            frames: 0,
+        })))
     }
 
     fn next(&mut self, planes: &mut Vec<Vec<f32>>) -> Result<Arrival, Failure> {

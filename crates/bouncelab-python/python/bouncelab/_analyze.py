@@ -176,6 +176,8 @@ def analyze(
             The only channel to use, the first being 1.
         band_hz : tuple of float
             The only frequencies to use.
+        rate_hz : int
+            The sample rate of a file that does not state it: samples in text without times.
         accept : list of int
             Numbers of ``candidates`` of the document, the first being 1, to analyse as drops.
         exclude_s, include_s : list of float

@@ -165,7 +165,7 @@ def session(
     <bouncelab.Study: 4 drops in 2 groups>
     """
     if not OF_ONE_RECORDING.isdisjoint(options):
-        raise InputError("channel, band_hz, accept, exclude_s and include_s are of single recordings; use analyze")
+        raise InputError("channel, band_hz, rate_hz, accept, exclude_s and include_s are of single recordings; use analyze")
     settings = settings_of(options)
     report = None if progress is None else Bars(progress)
     with ExitStack() as folders:

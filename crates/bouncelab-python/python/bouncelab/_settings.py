@@ -118,6 +118,7 @@ class DetectionOptions(TypedDict, total=False):
 
     channel: int | None
     band_hz: tuple[float, float] | None
+    rate_hz: int | None
 
 
 class EditOptions(TypedDict, total=False):

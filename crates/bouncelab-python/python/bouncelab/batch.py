@@ -221,7 +221,7 @@ def kernel(settings: KernelOptions | None = None, *, root: str | PathLike[str] =
     pattern, limit_s = given.pop("pattern", None), given.pop("time_limit_s", None)
     implausible = flag("allow_implausible", given.pop("allow_implausible", False))
     if not OF_ONE_RECORDING.isdisjoint(given):
-        raise InputError("channel, band_hz, accept, exclude_s and include_s are of single recordings; use analyze")
+        raise InputError("channel, band_hz, rate_hz, accept, exclude_s and include_s are of single recordings; use analyze")
     stated = settings_of(cast(Options, given))
     options = {
         "pattern": None if pattern is None else text("pattern", pattern),

@@ -543,6 +543,7 @@ page-reason-times-uneven = Sie kommt { $interval_s } s nach der Zeile davor, im 
 page-reason-times-sampled = Das ist eine Tabelle mit { $rows } Abtastwerten, { $rate_hz } in der Sekunde, und keine Liste von Aufprallzeiten; Ton braucht mindestens { $min_hz } in der Sekunde. Nenne die Zeiten der Aufpralle.
 page-reason-times-positions = Das sind Orte über der Zeit ({ $found }) und keine Aufprallzeiten. Öffne die Aufnahme oder nenne die Zeiten der Aufpralle.
 page-reason-times-several-drops = Es gibt mehrere Spalten mit Zeiten ({ $found }) und { $rows } Zeilen. Eine Liste hat einen Versuch: eine Spalte mit Zeiten oder eine Zeile mit Stopps.
+page-reason-times-no-rate = { $rows } Abtastwerte ohne Zeiten, keine Liste von Aufprallzeiten: Speichere den Ton als WAV, oder füge eine Spalte mit Zeiten hinzu.
 page-reason-times-no-order = { $number } folgt auf { $before }. Zahlen ohne Überschrift sind Aufprallzeiten, die steigen, oder Abstände, die fallen. Schreibe time_s oder interval_s darüber; Abtastwerte brauchen eine Spalte mit Zeiten.
 page-reason-times-not-interval = { $text } ist kein Abstand von einem Aufprall zum nächsten; er ist größer als 0 s.
 page-reason-times-not-layer = Das ist keine Ebene von Sonic Visualiser mit Punkten. Exportiere sie noch einmal (File > Export Annotation Layer).

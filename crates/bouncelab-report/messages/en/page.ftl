@@ -545,6 +545,7 @@ page-reason-times-uneven = It is { $interval_s } s after the row before, but row
 page-reason-times-sampled = It is a table of { $rows } samples, { $rate_hz } a second, and no list of impact times; sound needs at least { $min_hz } a second. List the times of the impacts.
 page-reason-times-positions = It holds positions over time ({ $found }) and no impact times. Open the recording, or list the times of the impacts.
 page-reason-times-several-drops = It has several columns of times ({ $found }) and { $rows } rows. A list has one drop: one column of times, or one row of stops.
+page-reason-times-no-rate = { $rows } samples without times, and no list of impact times: save the sound as WAV, or add a column of times.
 page-reason-times-no-order = { $number } follows { $before }. Numbers without a heading are impact times, which increase, or intervals, which decrease. Write time_s or interval_s above them; samples need a column of times.
 page-reason-times-not-interval = { $text } is no interval from one impact to the next, which is above 0 s.
 page-reason-times-not-layer = It is not a layer of Sonic Visualiser with points. Export it again (File > Export Annotation Layer).

@@ -546,6 +546,7 @@ page-reason-times-uneven = Está { $interval_s } s después de la línea anterio
 page-reason-times-sampled = Es una tabla de { $rows } muestras, { $rate_hz } por segundo, y no una lista de tiempos de impacto; el sonido necesita al menos { $min_hz } por segundo. Indica los tiempos de los impactos.
 page-reason-times-positions = Son posiciones en el tiempo ({ $found }) y no tiempos de impacto. Abre la grabación o indica los tiempos de los impactos.
 page-reason-times-several-drops = Hay varias columnas de tiempos ({ $found }) y { $rows } filas. Una lista tiene un solo ensayo: una columna de tiempos o una fila de paradas.
+page-reason-times-no-rate = { $rows } muestras sin tiempos, y no una lista de tiempos de impacto: guarda el sonido como WAV, o añade una columna de tiempos.
 page-reason-times-no-order = { $number } sigue a { $before }. Los números sin título son tiempos de impacto, que crecen, o intervalos, que decrecen. Escribe time_s o interval_s encima; las muestras necesitan una columna de tiempos.
 page-reason-times-not-interval = { $text } no es un intervalo de un impacto al siguiente, que es mayor que 0 s.
 page-reason-times-not-layer = No es una capa de Sonic Visualiser con puntos. Expórtala otra vez (File > Export Annotation Layer).

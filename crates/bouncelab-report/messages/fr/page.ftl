@@ -546,6 +546,7 @@ page-reason-times-uneven = Elle vient { $interval_s } s après la précédente, 
 page-reason-times-sampled = C’est un tableau de { $rows } échantillons, { $rate_hz } par seconde, et non une liste de temps d’impact ; il faut au son au moins { $min_hz } échantillons par seconde. Donne les temps des impacts.
 page-reason-times-positions = Ce sont des positions au cours du temps ({ $found }) et non des temps d’impact. Ouvre l’enregistrement ou donne les temps des impacts.
 page-reason-times-several-drops = Il y a plusieurs colonnes de temps ({ $found }) et { $rows } lignes. Une liste a un seul essai : une colonne de temps, ou une ligne d’arrêts.
+page-reason-times-no-rate = { $rows } échantillons sans temps, et non une liste de temps d’impact : enregistre le son en WAV, ou ajoute une colonne de temps.
 page-reason-times-no-order = { $number } suit { $before }. Des nombres sans titre sont des temps d’impact, qui croissent, ou des intervalles, qui décroissent. Écris time_s ou interval_s au-dessus ; des échantillons demandent une colonne de temps.
 page-reason-times-not-interval = { $text } n’est pas un intervalle d’un impact au suivant, qui dépasse 0 s.
 page-reason-times-not-layer = Ce n’est pas une couche de Sonic Visualiser avec des points. Exporte-la à nouveau (File > Export Annotation Layer).

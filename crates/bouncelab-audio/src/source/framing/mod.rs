@@ -7,6 +7,7 @@
 mod mpeg;
 mod nested;
 mod ogg;
+mod parts;
 
 use std::io::{self, Read, Seek, SeekFrom};
 use std::ops::Range;

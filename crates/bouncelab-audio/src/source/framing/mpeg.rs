@@ -84,6 +84,76 @@ pub(super) fn adts_frame(bytes: &[u8]) -> Option<Frame> {
     })
 }
 
+/// What a frame of layer 3 states of the one before it (ISO 11172-3 section 2.4.1.7; for half rates ISO 13818-3).
+struct Layer3 {
+    /// Number of bytes of its sound that stand in front of its own bytes, and of its own bytes for any sound.
+    reservoir: u32,
+    room: u32,
+    /// Length of its sound in bytes.
+    sound: u32,
+    /// The windows of its first and last granule, for each channel.
+    windows: [[u32; 2]; 2],
+    bytes: Vec<u8>,
+}
+
+impl Layer3 {
+    /// Reads the side information; `None` for another layer.
+    fn parse(bytes: &[u8]) -> Option<Self> {
+        mp3_frame(bytes)?;
+        let word = u32::from_be_bytes(*bytes.first_chunk()?);
+        let (is_whole_rate, is_mono) = (word >> 19 & 3 == 3, word >> 6 & 3 == 3);
+        let channels = if is_mono { 1 } else { 2 };
+        // Bits of the reservoir, in front of the granules, of one of them, and of its fields between length and window.
+        let (reservoir, private, granules, granule, fields) = match (is_whole_rate, is_mono) {
+            (true, true) => (9, 5 + 4, 2, 59, 17 + 4),
+            (true, false) => (9, 3 + 8, 2, 59, 17 + 4),
+            (false, true) => (8, 1, 1, 63, 17 + 9),
+            (false, false) => (8, 2, 1, 63, 17 + 9),
+        };
+        let has_checksum = word >> 16 & 1 == 0;
+        let side_at = if has_checksum { 6 } else { 4 };
+        let head = reservoir + private;
+        let side_len = (head + granules * channels * granule) / 8;
+        let side = bytes.get(side_at..side_at + side_len)?;
+        let bits = |at: usize, count: usize| {
+            let bit = |at: usize| u32::from(side[at / 8] >> (7 - at % 8) & 1);
+            (at..at + count).fold(0, |value, at| value << 1 | bit(at))
+        };
+        let of = |number: usize, channel: usize| head + (number * channels + channel) * granule;
+        let window = |number, channel| {
+            // Without the flag the window is the long one.
+            let at = of(number, channel) + 12 + fields;
+            bits(at, 1) * bits(at + 1, 2)
+        };
+        let ends = |channel| [window(0, channel), window(granules - 1, channel)];
+        let sound: u32 = (0..granules * channels)
+            .map(|it| bits(head + it * granule, 12))
+            .sum();
+        Some(Self {
+            reservoir: bits(0, reservoir),
+            room: (bytes.len() - side_at - side_len) as u32,
+            sound: sound.div_ceil(8),
+            windows: [ends(0), ends(channels - 1)],
+            bytes: bytes.to_vec(),
+        })
+    }
+
+    /// Whether this frame may follow another: its sound begins where that of the other has ended, or later; its windows fit
+    /// together (long, start, short, stop), and it is no copy.
+    fn follows(&self, before: &Self) -> bool {
+        // Positions relative to the own bytes of the frame before.
+        let begins = i64::from(before.room) - i64::from(self.reservoir);
+        let ends = i64::from(before.sound) - i64::from(before.reservoir);
+        let fits = |channel: usize| {
+            let (last, next) = (before.windows[channel][1], self.windows[channel][0]);
+            // The window behind a long or stop one begins long, behind a start one is short, behind a short one stays short or stops.
+            matches!((last, next), (0 | 3, 0 | 1) | (1, 2) | (2, 2 | 3))
+        };
+        let is_copy = self.sound > 0 && self.bytes == before.bytes;
+        begins >= ends && fits(0) && fits(1) && !is_copy
+    }
+}
+
 /// Follows the chain of frames, and notes where it breaks.
 pub(super) fn survey<S: Read + Seek>(
     window: &mut Window<S>,
@@ -103,6 +173,7 @@ pub(super) fn survey<S: Read + Seek>(
         ..Frames::default()
     };
     let mut at = first;
+    let mut before = None;
     while at < walk.window.len && frames.holes.len() < MAX_BREAKS {
         match walk.frame(at)? {
             Some(frame) if at + frame.len > walk.window.len => {
@@ -110,13 +181,22 @@ pub(super) fn survey<S: Read + Seek>(
                 break;
             }
             Some(frame) => {
-                frames.push(at, frame);
+                let own = if at == first && frames.tag.is_some() {
+                    None
+                } else {
+                    Layer3::parse(walk.window.at(at, frame.len)?)
+                };
+                let is_next = Option::zip(before.as_ref(), own.as_ref())
+                    .is_none_or(|(before, own): (&Layer3, &Layer3)| own.follows(before));
+                frames.push(at, frame, is_next);
+                before = own;
                 at += frame.len;
             }
             // The damage may be in the last frame, whose header then states a wrong length: search from there.
             None => match walk.find(frames.last.start + 1)? {
                 Some(resumed) => {
                     frames.lose_last_up_to(resumed);
+                    before = None;
                     at = resumed;
                 }
                 None => break,
@@ -293,7 +373,7 @@ struct Frames {
     is_cut: bool,
 }
 
-/// A range of bytes without frames.
+/// A range of bytes without frames; an empty one, where frames follow each other that cannot have done so.
 struct Hole {
     /// Number of frames before it.
     frame: u64,
@@ -302,8 +382,15 @@ struct Hole {
 }
 
 impl Frames {
-    fn push(&mut self, at: u64, frame: Frame) {
+    /// Adds a frame; `is_next` unless it cannot have followed the one before.
+    fn push(&mut self, at: u64, frame: Frame, is_next: bool) {
         self.keep_last();
+        if !is_next {
+            self.holes.push(Hole {
+                frame: self.count,
+                bytes: 0,
+            });
+        }
         self.last = at..at + frame.len;
         // The bit rate of a tag may differ from that of the sound.
         if self.count > 0 || self.tag.is_none() {

@@ -5,15 +5,16 @@
 
 use std::io::{self, Read, Seek};
 
+use super::parts::Parts;
 use super::{Framing, Window, keep};
 
 /// The beginning of a box or element.
-struct Header {
-    kind: u64,
+pub(super) struct Header {
+    pub(super) kind: u64,
     /// Position at which its content begins.
-    content: u64,
+    pub(super) content: u64,
     /// Position at which its content ends; `None` if the file does not state it.
-    end: Option<u64>,
+    pub(super) end: Option<u64>,
 }
 
 /// Surveys a file of MP4 that is written in parts (ISO 14496-12 section 8.8), as recorders that stream do.
@@ -23,54 +24,53 @@ struct Header {
 pub(super) fn mp4<S: Read + Seek>(window: &mut Window<S>, start: u64) -> io::Result<Framing> {
     const MOVIE: [u8; 4] = *b"moov";
     const PART: [u8; 4] = *b"moof";
+    const SOUND: [u8; 4] = *b"mdat";
     const KNOWN: [[u8; 4]; 16] = [
-        *b"ftyp", *b"styp", MOVIE, PART, *b"mdat", *b"free", *b"skip", *b"wide", *b"uuid",
-        *b"meta", *b"sidx", *b"ssix", *b"mfra", *b"pdin", *b"prft", *b"emsg",
+        *b"ftyp", *b"styp", MOVIE, PART, SOUND, *b"free", *b"skip", *b"wide", *b"uuid", *b"meta",
+        *b"sidx", *b"ssix", *b"mfra", *b"pdin", *b"prft", *b"emsg",
     ];
+    let mut parts = Parts::default();
     let mut has_parts = false;
     let mut at = start;
     while at < window.len {
         let header = atom(window.at(at, 16)?, at);
         let known = header.filter(|header| KNOWN.iter().any(|name| kind(*name) == header.kind));
-        has_parts = has_parts
-            || match &known {
-                Some(header) if header.kind == kind(MOVIE) => announces_parts(window, header)?,
-                Some(header) => header.kind == kind(PART),
-                None => false,
-            };
-        let end = known.map(|header| header.end.unwrap_or(window.len));
-        match end.filter(|&end| end <= window.len) {
-            Some(end) => at = end,
-            None if has_parts => return Ok(cut(start, at)),
-            None => break,
+        has_parts |= known.as_ref().is_some_and(|it| it.kind == kind(PART));
+        if let Some(header) = known.as_ref().filter(|it| it.kind == kind(MOVIE)) {
+            has_parts |= parts.take_movie(window, header)?;
         }
+        let end = known
+            .as_ref()
+            .map(|header| header.end.unwrap_or(window.len));
+        let (Some(header), Some(end)) = (known, end.filter(|&end| end <= window.len)) else {
+            return Ok(if has_parts {
+                cut(start, at)
+            } else {
+                Framing::default()
+            });
+        };
+        if header.kind == kind(PART)
+            && let Err(wrong) = parts.take_part(window, at, &header)?
+        {
+            return Ok(cut(start, wrong));
+        }
+        if header.kind == kind(SOUND) {
+            parts.take_sound(header.content..end);
+        }
+        at = end;
     }
-    Ok(Framing::default())
+    Ok(parts
+        .finish()
+        .map_or_else(|wrong| cut(start, wrong), |()| Framing::default()))
 }
 
 /// The name of a box as a number.
-fn kind(name: [u8; 4]) -> u64 {
+pub(super) fn kind(name: [u8; 4]) -> u64 {
     u64::from(u32::from_be_bytes(name))
 }
 
-/// Whether the header of a film announces parts: only this shows that the first part is missing.
-fn announces_parts<S: Read + Seek>(window: &mut Window<S>, movie: &Header) -> io::Result<bool> {
-    let end = movie.end.unwrap_or(window.len).min(window.len);
-    let mut at = movie.content;
-    while at < end {
-        let Some(inner) = atom(window.at(at, 16)?, at) else {
-            break;
-        };
-        if inner.kind == kind(*b"mvex") {
-            return Ok(true);
-        }
-        at = inner.end.unwrap_or(end);
-    }
-    Ok(false)
-}
-
 /// The beginning of a box (ISO 14496-12 section 4.2), of which the file has these bytes at position `at`.
-fn atom(bytes: &[u8], at: u64) -> Option<Header> {
+pub(super) fn atom(bytes: &[u8], at: u64) -> Option<Header> {
     let short = u64::from(u32::from_be_bytes(*bytes.first_chunk()?));
     let kind = u64::from(u32::from_be_bytes(*bytes.get(4..)?.first_chunk()?));
     let (len, header) = match short {
