@@ -122,6 +122,11 @@ pub(crate) struct InferenceArguments {
     release_sd: Option<f64>,
     #[arg(long, value_name = "LAWS", value_delimiter = ',', help = laws_help())]
     law: Vec<String>,
+    /// What is known of the restitution over the impact speed in m/s, as in normal:0.5=0.93:0.01,3=0.86:0.02 (mean and
+    /// standard deviation at each) or functions:0.5=0.93:0.01:0.01,3=0.86:0.01:-0.02 (mean, and functions of which each has
+    /// a standard normal factor) [default: anything from 0 to 1]
+    #[arg(long, value_name = "PRIOR")]
+    restitution_prior: Option<String>,
     /// Relative standard uncertainty of an input, as in mass=0.1% or drag=0: mass, diameter,
     /// air-density, gravity, added-mass, drag (around its law), contact-time, timing (of the stated
     /// errors); scatter=2% is the typical scatter of restitution on this surface; slow-losses=0 lets
@@ -327,6 +332,7 @@ impl InferenceArguments {
         Ok(InferenceSettings {
             enabled: self.no_inference.then_some(false),
             restitution_laws: stated(&self.law),
+            restitution_prior: self.restitution_prior.clone(),
             infer: stated(&self.infer),
             known: Some(known).filter(|known| !known.is_empty()),
             at_speed_m_s: self.at_speed,

@@ -84,6 +84,7 @@ fn all_stated() -> Settings {
         inference: InferenceSettings {
             enabled: Some(true),
             restitution_laws: Some(LawKind::ALL.map(|law| law.name().to_owned()).into()),
+            restitution_prior: None,
             infer: Some(Inferred::ALL.to_vec()),
             known: None,
             at_speed_m_s: Some(2.35),

@@ -365,6 +365,8 @@ codes! {
     // What was assumed before the data.
     /// Restitution: anything from 0 to 1.
     PriorRestitution = "prior-restitution", Info, [];
+    /// Restitution: as a [`RestitutionPrior`](crate::restitution::RestitutionPrior) states it.
+    PriorRestitutionStated = "prior-restitution-stated", Info, ["prior"];
     /// Scatter of restitution: about this, likely half as much to 2.5 times as much.
     PriorScatter = "prior-scatter", Info, ["relative_sd"];
     /// Impacts slower than those detected may lose more speed than the law says.

@@ -180,6 +180,7 @@ diagnostic-assumed-air = Luft von { $temperature_k } °C, { $pressure_pa } hPa, 
 diagnostic-assumed-gravity = Fallbeschleunigung { $gravity_m_s2 }.
 
 diagnostic-prior-restitution = Stoßzahl: alles von 0 bis 1.
+diagnostic-prior-restitution-stated = Stoßzahl über der Aufprallgeschwindigkeit, wie angegeben: { $prior }.
 diagnostic-prior-scatter = Streuung der Stoßzahl: etwa { $relative_sd } %, wahrscheinlich die Hälfte bis zum 2,5-Fachen davon.
 diagnostic-prior-slow-losses = Aufpralle unter dem langsamsten erkannten: wie das Gesetz sagt, oder mit Verlusten, die bei kleinerem Tempo zusätzlich wachsen (mit einer Potenz von etwa { $exponent }).
 diagnostic-prior-exact = { $input }: genau bekannt.

@@ -64,6 +64,7 @@ input-release-time-sd = Unsicherheit der Zeit des Loslassens
 input-restitution = Stoßzahl
 input-restitution-exponent = Exponent des Gesetzes der Stoßzahl
 input-restitution-loss = Abnahme der Stoßzahl mit dem Tempo
+input-restitution-sd = Standardabweichung der Stoßzahl
 input-restitution-scatter = übliche Streuung der Stoßzahl
 input-reverberation-time = Nachhallzeit
 input-reynolds-number = Reynolds-Zahl

@@ -66,6 +66,7 @@ input-release-time-sd = standard uncertainty of the release time
 input-restitution = coefficient of restitution
 input-restitution-exponent = exponent of the restitution law
 input-restitution-loss = loss of restitution with speed
+input-restitution-sd = standard deviation of the restitution
 input-restitution-scatter = typical scatter of restitution
 input-reverberation-time = reverberation time
 input-reynolds-number = Reynolds number

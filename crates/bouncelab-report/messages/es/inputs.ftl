@@ -64,6 +64,7 @@ input-release-time-sd = incertidumbre típica del instante de la suelta
 input-restitution = coeficiente de restitución
 input-restitution-exponent = exponente de la ley de restitución
 input-restitution-loss = pérdida de restitución con la velocidad
+input-restitution-sd = desviación típica de la restitución
 input-restitution-scatter = dispersión habitual de la restitución
 input-reverberation-time = tiempo de reverberación
 input-reynolds-number = número de Reynolds

@@ -64,6 +64,7 @@ input-release-time-sd = incertitude-type de l’instant du lâcher
 input-restitution = coefficient de restitution
 input-restitution-exponent = exposant de la loi de restitution
 input-restitution-loss = perte de restitution avec la vitesse
+input-restitution-sd = écart-type de la restitution
 input-restitution-scatter = dispersion usuelle de la restitution
 input-reverberation-time = temps de réverbération
 input-reynolds-number = nombre de Reynolds

@@ -92,6 +92,7 @@ quantities! {
     Restitution = "restitution", "";
     RestitutionExponent = "restitution-exponent", "";
     RestitutionLoss = "restitution-loss", "s/m";
+    RestitutionSd = "restitution-sd", "";
     RestitutionScatter = "restitution-scatter", "";
     ReverberationTime = "reverberation-time", "s";
     Reynolds = "reynolds-number", "";

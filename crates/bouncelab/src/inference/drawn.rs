@@ -1,7 +1,7 @@
 //! Every unknown of each draw, with the prior, the likelihood and replicated data, for programs that compare models.
 
+use rand::SeedableRng;
 use rand::rngs::Xoshiro256PlusPlus;
-use rand::{RngExt, SeedableRng};
 use rand_distr::{Distribution, StandardNormal};
 
 use super::candidates::SampledPosterior;
@@ -287,10 +287,7 @@ fn prior(
             .slots()
             .iter()
             .map(|slot| match slot {
-                Slot::Restitution => {
-                    let restitution: f64 = random.random();
-                    (restitution / (1.0 - restitution)).ln()
-                }
+                Slot::Restitution => model.draw_logit(random),
                 _ => StandardNormal.sample(random),
             })
             .collect();

@@ -1,8 +1,8 @@
 //! What a drop says of its restitution curve to a study of many drops: its likelihood, from the draws of its posterior.
 //!
 //! In the coordinates of the law, ln e* and standard normals n, and the shared inputs z, the posterior is nearly Gaussian with
-//! the precision Λ of its draws. The prior of the normals has the precision D = 1, that of ln e* is flat, so the likelihood
-//! of the law given z has the precision `Λ_cc` - D. With the Cholesky root L of `Λ_cc` and L⁻¹ D L⁻ᵀ = Q μ Q', the rows of
+//! the precision Λ of its draws. The prior of the normals has the precision D = 1, that of ln e* is flat or stated, so the
+//! likelihood of the law given z has the precision `Λ_cc` - D. With the Cholesky root L of `Λ_cc` and L⁻¹ D L⁻ᵀ = Q μ Q', the rows of
 //! (1 - μ)^½ Q' L' are independent readings; μ is the share of the prior in each.
 
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
@@ -72,6 +72,8 @@ struct Drawn {
     /// Which shared inputs have an uncertainty.
     inputs: Vec<usize>,
     draws: usize,
+    /// Mean and standard deviation of ln e* before the data, if they were stated.
+    stated_level: Option<[f64; 2]>,
     mean: DVector<f64>,
     covariance: DMatrix<f64>,
 }
@@ -80,8 +82,10 @@ impl Drawn {
     fn new(posterior: &SampledPosterior, heights_m: &[f64], range_m_s: [f64; 2]) -> Option<Self> {
         let law = posterior.candidates.first()?.law;
         let [slowest, fastest] = range_m_s;
+        let models = posterior.models();
+        let of_law = |slot: &&Slot| matches!(slot, Slot::Shape(_));
         let shapes = if fastest > MIN_RANGE * slowest {
-            law.shapes()
+            models.first()?.slots().iter().filter(of_law).count()
         } else {
             0
         };
@@ -93,7 +97,6 @@ impl Drawn {
                 slowest * (fastest / slowest).powf(share)
             })
             .collect();
-        let models = posterior.models();
         let mut media = Vec::new();
         let rows = posterior
             .draws
@@ -140,6 +143,7 @@ impl Drawn {
             speeds_m_s,
             inputs,
             draws: table.nrows(),
+            stated_level: models.first()?.stated_level(),
             mean,
             covariance,
         })
@@ -185,11 +189,15 @@ impl Drawn {
             return None;
         }
         let precision = Cholesky::new(self.covariances(&unknowns, &unknowns))?.inverse() * unbiased;
-        let information = &precision * self.mean.select_rows(&unknowns);
+        let mut information = &precision * self.mean.select_rows(&unknowns);
         let of_law = precision.view((0, 0), (points, points)).into_owned();
         let root = Cholesky::new(of_law)?.l();
         let mut prior = DMatrix::identity(points, points);
         prior[(0, 0)] = 0.0;
+        if let Some([mean, sd]) = self.stated_level {
+            prior[(0, 0)] = 1.0 / (sd * sd);
+            information[0] -= mean / (sd * sd);
+        }
         let whitened = root.solve_lower_triangular(&prior)?;
         let whitened = root.solve_lower_triangular(&whitened.transpose())?;
         let SymmetricEigen {

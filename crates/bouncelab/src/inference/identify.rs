@@ -71,7 +71,7 @@ pub(super) fn prior_contraction(posterior: &SampledPosterior) -> Vec<PriorContra
                 .iter()
                 .filter_map(|draw| {
                     let model = &models[draw.candidate];
-                    if unknown == Unknown::Slope && !model.law.has_slope() {
+                    if unknown == Unknown::Slope && !model.has_slope() {
                         return None;
                     }
                     Some(draw.vector[model.index(slot)?])

@@ -62,6 +62,7 @@ mod pool;
 mod possible_balls;
 mod posterior;
 mod predict;
+mod prior_draw;
 mod priors;
 mod reference_speed;
 mod residual;
@@ -81,6 +82,7 @@ pub use parameters::{MAX_PARETO_SHAPE, UNINFORMATIVE, UNKNOWN};
 pub use pool::SamplerConfig;
 pub use possible_balls::PossibleBall;
 pub use posterior::{BandPoint, Draws, ImpactPosterior, Model, Posterior, Sampling};
+pub use prior_draw::PriorDraw;
 pub use priors::{Measured, Priors};
 
 use crate::ball::Ball;

@@ -6,7 +6,7 @@ use super::scatter_prior;
 use crate::ball::{Ball, KnownBall};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::error::{Quantity, Result, positive, within};
-use crate::restitution::LawKind;
+use crate::restitution::{LawKind, RestitutionPrior};
 use crate::simd::Lanes;
 
 /// A measured quantity.
@@ -40,6 +40,9 @@ pub struct Priors {
     pub first_was_detected: bool,
     /// Restitution laws to consider; if empty, the smooth one alone, which can follow any other.
     pub restitution_laws: Vec<LawKind>,
+    /// What is known of the restitution over the impact speed; if `None`, e* is flat from 0 to 1 and each law has its usual
+    /// prior. It is one of the smooth law, which is then the only one.
+    pub restitution: Option<RestitutionPrior>,
     /// Drag coefficient: how far a real ball may lie from the law. The laws of smooth spheres
     /// scatter by about 3 % at Reynolds numbers of 1,000 to 10,000; 4 % allows for a ball.
     pub drag_rel_sd: f64,
@@ -78,6 +81,7 @@ impl Default for Priors {
             release_s: None,
             first_was_detected: false,
             restitution_laws: Vec::new(),
+            restitution: None,
             drag_rel_sd: 0.04,
             // Half the range over the surface of the Earth, as a rectangle.
             gravity_rel_sd: 0.0015,
@@ -154,7 +158,12 @@ impl Priors {
         };
         let scatter = Diagnostic::new(Code::PriorScatter);
         let mut diagnostics = vec![
-            Diagnostic::new(Code::PriorRestitution),
+            match &self.restitution {
+                None => Diagnostic::new(Code::PriorRestitution),
+                Some(prior) => {
+                    Diagnostic::new(Code::PriorRestitutionStated).with("prior", prior.to_string())
+                }
+            },
             scatter.with("relative_sd", self.restitution_scatter),
             Diagnostic::new(Code::PriorSlowLosses).with("exponent", self.slow_loss_exponent),
             input("drag", self.drag_rel_sd),
@@ -184,7 +193,7 @@ impl Priors {
 
     /// The laws to consider, each once: a law requested twice is no more probable.
     pub(super) fn laws(&self) -> Vec<LawKind> {
-        if self.restitution_laws.is_empty() {
+        if self.restitution_laws.is_empty() || self.restitution.is_some() {
             return vec![LawKind::Smooth];
         }
         let mut laws = LawKind::ALL.to_vec();

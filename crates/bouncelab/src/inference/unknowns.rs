@@ -1,6 +1,7 @@
 //! The unknowns of a drop, their priors, and the index of each in a vector.
 
 use nalgebra::DMatrix;
+use rand::RngExt;
 
 use super::medium::Medium;
 use super::observed::Observed;
@@ -13,7 +14,7 @@ use super::reference_speed::ReferenceSpeed;
 use super::scatter_prior;
 use super::timed_flights::TimedFlights;
 use crate::flight::table::MAX_STEPS;
-use crate::restitution::{LawKind, MAX_SHAPES, Restitution};
+use crate::restitution::{LawKind, MAX_SHAPES, PriorOver, Restitution};
 use crate::simd::Lanes;
 
 /// One physical explanation of a drop: which restitution law, which ball, and how many impacts
@@ -30,6 +31,8 @@ pub(super) struct Model<'a> {
     pub(super) release_s: Option<Measured>,
     pub(super) timing_sd: f64,
     typical_scatter: f64,
+    /// The stated prior of the restitution; if `None`, the usual one of the law.
+    stated: Option<PriorOver>,
     slots: Vec<Slot>,
     /// Origin of the coordinate of the restitution, which is then in units of the noise; if `None`, the coordinate is the
     /// logit.
@@ -140,7 +143,12 @@ impl<'a> Model<'a> {
             UNSTATED_TIMING_SD
         };
         let inputs = &medium.inputs;
-        let shapes = (0..law.shapes()).map(|number| (Slot::Shape(number), true));
+        let stated = priors
+            .restitution
+            .as_ref()
+            .map(|prior| prior.over(&reference.speeds));
+        let shapes = stated.as_ref().map_or(law.shapes(), |_| PriorOver::SHAPES);
+        let shapes = (0..shapes).map(|number| (Slot::Shape(number), true));
         let before = [
             (Slot::Drag, medium.drag_sd > 0.0),
             (Slot::Gravity, inputs.gravity_sd > 0.0),
@@ -173,6 +181,7 @@ impl<'a> Model<'a> {
             release_s: priors.release_s,
             timing_sd,
             typical_scatter: priors.restitution_scatter,
+            stated,
             slots,
             expected_restitution: None,
         }
@@ -229,7 +238,11 @@ impl<'a> Model<'a> {
                 let (scatter, timing) = (Lanes([point.scatter]), Lanes([point.timing]));
                 let [unit] = self.restitution_unit(scatter, timing).0;
                 let e = point.law.at(self.reference.speeds.reference_m_s);
-                2.0 * e * (1.0 - e) * unit * unit
+                // Of a normal ln e, whose density in x is N(ln e) (1 - e): (1 - e)²/sd² + e (1 - e), expected.
+                let of_logit = self.stated.as_ref().map_or(2.0 * e * (1.0 - e), |prior| {
+                    ((1.0 - e) / prior.sd).powi(2) + e * (1.0 - e)
+                });
+                of_logit * unit * unit
             }
             Slot::Height if self.height_m.is_none() => 0.0,
             _ => 1.0,
@@ -263,15 +276,28 @@ impl<'a> Model<'a> {
         });
         let logit = at(Slot::Restitution) * unit + expected;
         let restitution = Lanes::all(1.0) / ((-logit).exp() + 1.0);
-        // Flat in e: de/d(logit) = e (1 - e) = exp(-|x|)/(1 + exp(-|x|))², times the unit of the coordinate.
-        let off = -logit.abs();
-        let log_density = off - (off.exp() + 1.0).ln() * 2.0 + unit.ln();
+        let log_density = match &self.stated {
+            // Flat in e: de/d(logit) = e (1 - e) = exp(-|x|)/(1 + exp(-|x|))², times the unit of the coordinate.
+            None => {
+                let off = -logit.abs();
+                off - (off.exp() + 1.0).ln() * 2.0 + unit.ln()
+            }
+            // d ln e/d(logit) = 1 - e, with ln(1 - e) = ln e - x.
+            Some(prior) => {
+                let ln_e = restitution.ln();
+                prior.log_density(ln_e) + (ln_e - logit) + unit.ln()
+            }
+        };
         let contact_time_s = (at(Slot::Contact) * medium.contact_sd).exp() * medium.contact_time_s;
         let (law, speeds) = (self.law, &self.reference.speeds);
         std::array::from_fn(|lane| {
             let shapes = std::array::from_fn(|number| at(Slot::Shape(number)).0[lane]);
             Some(Point {
-                law: law.of_normals(restitution.0[lane], shapes, speeds).ok()?,
+                law: match &self.stated {
+                    None => law.of_normals(restitution.0[lane], shapes, speeds),
+                    Some(prior) => prior.law(restitution.0[lane], shapes),
+                }
+                .ok()?,
                 drag_scale: drag_scale.0[lane],
                 drag_strength: drag_strength.0[lane],
                 gravity_m_s2: gravity_m_s2.0[lane],
@@ -307,6 +333,25 @@ impl<'a> Model<'a> {
         let sigma_s = square(observed.sigma_s[impact]) + square(observed.sigma_s[impact + 1]);
         let per_duration = sigma_s / square(observed.intervals[impact].duration_s);
         (scatter * scatter + timing * timing * per_duration).sqrt()
+    }
+
+    /// logit e*, drawn from its prior.
+    pub(super) fn draw_logit(&self, random: &mut impl RngExt) -> f64 {
+        let restitution = match &self.stated {
+            None => random.random(),
+            Some(prior) => prior.draw_restitution(random),
+        };
+        (restitution / (1.0 - restitution)).ln()
+    }
+
+    /// Mean and standard deviation of ln e* before the data, but for its bound at zero; `None` if e* is flat.
+    pub(super) fn stated_level(&self) -> Option<[f64; 2]> {
+        self.stated.as_ref().map(|prior| [prior.mean, prior.sd])
+    }
+
+    /// Whether the first number of the law besides e* is a slope.
+    pub(super) fn has_slope(&self) -> bool {
+        self.stated.is_none() && self.law.has_slope()
     }
 
     /// Start of a search: the differences between impacts are all scatter, or all errors of the times, whichever is more

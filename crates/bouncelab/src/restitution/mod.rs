@@ -7,11 +7,14 @@
 mod contact;
 mod law;
 mod per_impact;
+mod prior;
 
 pub use contact::Contact;
 pub use law::Restitution;
 pub(crate) use law::{MAX_SHAPES, Restitutions, SpeedRange};
 pub use per_impact::{ImpactRestitution, PerImpact, TimedFlight, of_impacts};
+pub(crate) use prior::PriorOver;
+pub use prior::RestitutionPrior;
 pub(crate) use smooth::WALK;
 
 use crate::simd::Lanes;

@@ -15,7 +15,7 @@ const SLOPE: f64 = 0.06;
 pub(crate) const WALK: f64 = 0.05;
 
 /// Number of speeds at which the slope is given: the slowest, v* and the fastest, and those halfway in ln v.
-const KNOTS: usize = 5;
+pub(super) const KNOTS: usize = 5;
 
 pub(super) const LAW: Law = Law {
     name: "smooth",
@@ -59,7 +59,8 @@ impl Restitution {
     /// enough for any law that changes slowly.
     ///
     /// Prior: the speeds are the slowest impact, v* and the fastest impact; the slope at v* is 0.06 sinh z with z standard
-    /// normal, and walks at random from there, by 0.05 for a factor e in speed.
+    /// normal, and walks at random from there, by 0.05 for a factor e in speed. A [`RestitutionPrior`](super::RestitutionPrior)
+    /// takes its place.
     ///
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless e* is above 0 and not above 1, the speeds

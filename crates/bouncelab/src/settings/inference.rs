@@ -8,6 +8,7 @@ use crate::analysis::Options;
 use crate::drag::DragLaw;
 use crate::error::{Quantity, within};
 use crate::inference::{ApexTarget, InferenceOptions, Priors, SamplerConfig, UNKNOWN};
+use crate::restitution::LawKind;
 use crate::{Error, Result};
 
 /// How many draws an inference may aim at: fewer do not show the tails, more take minutes.
@@ -24,6 +25,9 @@ pub struct InferenceSettings {
     pub enabled: Option<bool>,
     /// Families of restitution laws to consider; all that the impacts can distinguish if left out.
     pub restitution_laws: Option<Vec<String>>,
+    /// What is known of the restitution over the impact speed, as in `normal:0.5=0.93:0.01,3=0.86:0.02`, the text of a
+    /// [`RestitutionPrior`](crate::restitution::RestitutionPrior); anything from 0 to 1 if left out.
+    pub restitution_prior: Option<String>,
     /// Inputs of which nothing is known: the data decide.
     pub infer: Option<Vec<Inferred>>,
     /// How well inputs are known, as relative standard uncertainties; that of a ball and of air that nobody measured
@@ -153,6 +157,19 @@ impl InferenceSettings {
     pub(super) fn inform(&self, priors: &mut Priors) -> Result<()> {
         let laws = self.restitution_laws.iter().flatten();
         priors.restitution_laws = laws.map(|law| law.parse()).collect::<Result<_>>()?;
+        priors.restitution = self
+            .restitution_prior
+            .as_ref()
+            .map(|prior| prior.parse())
+            .transpose()?;
+        let other = priors
+            .restitution_laws
+            .iter()
+            .find(|&&law| law != LawKind::Smooth);
+        if let (Some(_), Some(law)) = (&priors.restitution, other) {
+            let law = format!("restitution law {law}");
+            return Err(Error::contradiction("restitution prior", &law));
+        }
         for inferred in self.infer.iter().flatten() {
             *inferred.input().of(priors) = UNKNOWN;
         }
