@@ -56,5 +56,5 @@ pub use record::{RECORD, Record};
 pub use recordings::{RecordingFile, SESSION_FILE, Session, Sources, UnmatchedNames};
 pub use report::report;
 pub use results::{Results, Store};
-pub use study::{Outcome, SessionDrop, StudyOptions};
+pub use study::{Outcome, SessionDrop, StudyOptions, compared_drops};
 pub use work::{Done, complete, record_of};

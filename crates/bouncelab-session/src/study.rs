@@ -268,6 +268,29 @@ impl CollectedDrop {
     }
 }
 
+/// The drops of a recording that are compared, each with what was noted of the recording.
+pub fn compared_drops<'a>(
+    record: Record,
+    factors: &'a BTreeMap<String, String>,
+    translator: &Translator,
+) -> Vec<NotedDrop<'a>> {
+    let compared = record
+        .drops
+        .into_iter()
+        .filter(|drop| left_out(drop, false, translator).is_none());
+    let noted = |drop: DropRecord| {
+        let scatter = drop.quantities.get("restitution_scatter").copied();
+        let Studied { evidence, scatter } = Studied::of(drop.posterior?, scatter.as_ref())?;
+        Some(NotedDrop {
+            name: Arc::default(),
+            factors,
+            evidence,
+            scatter,
+        })
+    };
+    compared.filter_map(noted).collect()
+}
+
 /// The contribution of a drop to the study.
 struct Studied {
     evidence: CurveEvidence,

@@ -36,4 +36,4 @@ pub mod tables;
 
 pub use figures::figures;
 pub use page::{page, some_of};
-pub use study::{About, GroupStudy, NotedDrop, Question, Reason, UnknownField};
+pub use study::{About, GroupStudy, NotedDrop, Parts, Question, Reason, StudyParts, UnknownField};

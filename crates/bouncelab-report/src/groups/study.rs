@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use bouncelab::groups::{Asked, CurveEvidence, Factor, MAX_RANDOM, Study, StudyDrop};
+use bouncelab::groups::{Asked, CurveEvidence, Factor, GroupSums, MAX_RANDOM, Study, StudyDrop};
 use serde::Serialize;
 
 use crate::messages::Translator;
@@ -125,38 +125,44 @@ impl GroupStudy {
         question: &Question,
         translator: &Translator,
     ) -> Result<Self, UnknownField> {
-        let factors = factors(&drops);
-        let by = by(&factors, question.by.as_deref())?;
-        let with_levels = |drop: NotedDrop<'_>| {
-            let added = StudyDrop {
-                levels: levels(&factors, drop.factors),
-                evidence: drop.evidence,
-                scatter: drop.scatter,
-            };
-            (drop.name, added)
-        };
-        let (names, drops): (Vec<_>, Vec<_>) = drops.into_iter().map(with_levels).unzip();
-        let asked = Asked {
-            random: scattering(&factors, &by, drops.len()),
-            ball: factors.iter().position(|factor| factor.name == "ball"),
-            by: by.clone(),
-            at_speed_m_s: question.at_speed_m_s,
-            wanted: question.wanted,
-        };
-        let study = Study::of(&drops, &asked).map_err(|refusal| match question.at_speed_m_s {
-            _ if drops.is_empty() => translator.text("session-no-inference"),
+        let noted = drops.iter().flat_map(|drop| drop.factors);
+        let asking = Asking::new(noted, drops.len(), question)?;
+        let (names, drops): (Vec<_>, Vec<_>) = drops
+            .into_iter()
+            .map(|drop| (Arc::clone(&drop.name), asking.drop(drop)))
+            .unzip();
+        let study = Study::of(&drops, &asking.asked);
+        Ok(Self::new(
+            about,
+            asking,
+            study,
+            names,
+            drops.len(),
+            translator,
+        ))
+    }
+
+    fn new(
+        mut about: About,
+        Asking { factors, asked }: Asking,
+        study: bouncelab::Result<Study>,
+        names: Vec<Arc<str>>,
+        drops: usize,
+        translator: &Translator,
+    ) -> Self {
+        let study = study.map_err(|refusal| match asked.at_speed_m_s {
+            _ if drops == 0 => translator.text("session-no-inference"),
             Some(speed) => translator.text_with("session-no-speed", &[("speed", speed.into())]),
             None => translator.diagnostic(&refusal.diagnostic()),
         });
-        let mut groups = Self {
+        about.no_study = study.as_ref().err().cloned();
+        Self {
             about,
             factors,
-            by,
+            by: asked.by,
             study,
             names,
-        };
-        groups.about.no_study = groups.study.as_ref().err().cloned();
-        Ok(groups)
+        }
     }
 
     /// The name of a drop, by its index.
@@ -189,10 +195,119 @@ impl GroupStudy {
     }
 }
 
+/// What drops can be compared by, and what is asked of them.
+#[derive(Debug, Clone)]
+struct Asking {
+    factors: Vec<Factor>,
+    asked: Asked,
+}
+
+impl Asking {
+    /// By what was noted of a number of drops.
+    fn new<'a>(
+        noted: impl IntoIterator<Item = (&'a String, &'a String)>,
+        drops: usize,
+        question: &Question,
+    ) -> Result<Self, UnknownField> {
+        let factors = factors(noted);
+        let by = by(&factors, question.by.as_deref())?;
+        let asked = Asked {
+            random: scattering(&factors, &by, drops),
+            ball: factors.iter().position(|factor| factor.name == "ball"),
+            by,
+            at_speed_m_s: question.at_speed_m_s,
+            wanted: question.wanted,
+        };
+        Ok(Self { factors, asked })
+    }
+
+    fn drop(&self, drop: NotedDrop<'_>) -> StudyDrop {
+        StudyDrop {
+            levels: levels(&self.factors, drop.factors),
+            evidence: drop.evidence,
+            scatter: drop.scatter,
+        }
+    }
+}
+
+/// Drops that are read in parts, perhaps on several machines: of each part only sums are kept.
+#[derive(Debug, Clone)]
+pub struct StudyParts {
+    asking: Asking,
+    sums: Parts,
+}
+
+/// The sums of each group, by its levels.
+pub type Parts = Vec<(Vec<Option<usize>>, GroupSums)>;
+
+impl StudyParts {
+    /// Without a drop yet, given every level that was noted of a field of any of the drops, and how many these are.
+    ///
+    /// # Errors
+    /// As [`GroupStudy::of`].
+    pub fn new<'a>(
+        noted: impl IntoIterator<Item = (&'a String, &'a String)>,
+        drops: usize,
+        question: &Question,
+    ) -> Result<Self, UnknownField> {
+        Ok(Self {
+            asking: Asking::new(noted, drops, question)?,
+            sums: Vec::new(),
+        })
+    }
+
+    /// Adds a drop.
+    pub fn add(&mut self, drop: NotedDrop<'_>) {
+        let drop = self.asking.drop(drop);
+        let by = &self.asking.asked.by;
+        let levels = by.iter().map(|&factor| drop.levels[factor]).collect();
+        let asked = self.asking.asked.clone();
+        self.group(levels).add(&drop, &asked);
+    }
+
+    /// Adds the drops of another part, which was made with the same levels and question.
+    pub fn merge(&mut self, parts: &Parts) {
+        for (levels, sums) in parts {
+            self.group(levels.clone()).merge(sums);
+        }
+    }
+
+    /// The sums so far.
+    pub fn parts(&self) -> &Parts {
+        &self.sums
+    }
+
+    /// The study of all drops, without what needs each of them: names, outliers and heights.
+    pub fn study(&self, mut about: About, translator: &Translator) -> GroupStudy {
+        let study = Study::of_sums(&self.sums, &self.asking.asked);
+        about.drops = self.sums.iter().map(|(_, sums)| sums.drops()).sum();
+        let drops = about.drops;
+        GroupStudy::new(
+            about,
+            self.asking.clone(),
+            study,
+            Vec::new(),
+            drops,
+            translator,
+        )
+    }
+
+    fn group(&mut self, levels: Vec<Option<usize>>) -> &mut GroupSums {
+        let place = match self.sums.binary_search_by(|(of, _)| of.cmp(&levels)) {
+            Ok(place) => place,
+            Err(place) => {
+                self.sums.insert(place, (levels, GroupSums::default()));
+                place
+            }
+        };
+        &mut self.sums[place].1
+    }
+}
+
 /// Everything by which drops can be compared, with its levels in order.
-fn factors(drops: &[NotedDrop<'_>]) -> Vec<Factor> {
+fn factors<'a>(noted: impl IntoIterator<Item = (&'a String, &'a String)>) -> Vec<Factor> {
     let mut levels: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-    for (field, level) in drops.iter().flat_map(|drop| drop.factors) {
+    for (field, level) in noted {
         levels.entry(field).or_default().push(level);
     }
     let mut factors: Vec<Factor> = levels
