@@ -10,9 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
 
-use crate::cargo::{
-    built, cargo, copy_program, emptied, root, run as run_command, succeeds, target,
-};
+use crate::cargo::{cargo, emptied, root, run as run_command, succeeds, target};
 use crate::steps::skip;
 use crate::{Result, file_error, notices, release};
 
@@ -40,15 +38,7 @@ pub(crate) fn run(_: &[String]) -> Result {
 
 /// The wheel for users.
 pub(crate) fn released_wheel() -> Result<PathBuf> {
-    let venv = first_venv()?;
-    run_command(&mut cargo([
-        "build",
-        "--profile",
-        "python",
-        "--bin",
-        "bouncelab",
-    ]))?;
-    venv.wheel("python", &[])
+    first_venv()?.wheel("python", &[])
 }
 
 /// The wheel of the checks.
@@ -305,18 +295,13 @@ impl Venv {
 
     /// Builds the wheel of the checks, which shares compiled dependencies with them.
     pub(crate) fn shared_wheel(&self) -> Result<PathBuf> {
-        built("--bin", "bouncelab")?;
         self.wheel("dev", &["--features", "shared-build"])
     }
 
-    /// Builds the wheel, with the program that was built in the same profile.
+    /// Builds the wheel.
     fn wheel(&self, profile: &str, options: &[&str]) -> Result<PathBuf> {
         let folder = target().join("wheels").join(profile);
         fs::remove_dir_all(&folder).ok();
-        let built = if profile == "dev" { "debug" } else { profile };
-        // Where maturin takes the scripts of a wheel from.
-        let scripts = package().join("bouncelab._core.data/scripts");
-        copy_program(&target().join(built), &scripts)?;
         notices::write(&package())?;
         let mut build = self.tool("maturin");
         build.args(["build", "--profile", profile, "--compression-level", "9"]);

@@ -543,6 +543,8 @@ fn unpack(path: &Path, place: &Path) -> Result {
 fn demo(folder: &Path) -> Result {
     let mut demo = Command::new(folder.join(format!("bouncelab{EXE_SUFFIX}")));
     demo.arg("demo").current_dir(folder).env("HOME", folder);
+    // The program of the wheel is a script beside the package.
+    demo.env("PYTHONPATH", folder.parent().unwrap_or(folder));
     run_command(&mut demo)?;
     read(&folder.join("bouncelab-demo/demo-waveform.svg")).map(drop)
 }

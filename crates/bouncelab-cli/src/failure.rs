@@ -2,7 +2,6 @@
 
 use std::io;
 use std::path::Path;
-use std::process::ExitCode;
 
 use bouncelab::Plain;
 use bouncelab_audio::LooksLike;
@@ -39,7 +38,7 @@ impl Failure {
     }
 
     /// Prints the reason on stderr and returns the exit status.
-    pub(crate) fn report(&self) -> ExitCode {
+    pub(crate) fn report(&self) -> u8 {
         // The reader may have closed the pipe (`| head`).
         let unheard =
             matches!(self, Self::Output(reason) if reason.kind() == io::ErrorKind::BrokenPipe);
@@ -48,9 +47,9 @@ impl Failure {
             say(format_args!("bouncelab: {message}"));
         }
         match self {
-            Self::Usage(_) => ExitCode::from(2),
-            Self::NoPass(status) => ExitCode::from(*status),
-            Self::Input(_) | Self::Output(_) => ExitCode::FAILURE,
+            Self::Usage(_) => 2,
+            Self::NoPass(status) => *status,
+            Self::Input(_) | Self::Output(_) => 1,
         }
     }
 }

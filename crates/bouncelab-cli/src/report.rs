@@ -13,6 +13,7 @@ use jiff::Zoned;
 
 use crate::browser::Browser;
 use crate::failure::Failure;
+use crate::invocation::Invocation;
 use crate::language::{text, text_with};
 use crate::terminal::say;
 
@@ -159,8 +160,10 @@ pub(crate) fn provenance() -> Provenance {
 
 /// The command as it was given, ready for a shell.
 fn command() -> String {
-    let arguments = std::env::args_os().skip(1);
-    let quoted = arguments.map(|argument| quoted(&argument.to_string_lossy()));
+    let arguments = &Invocation::of_this_process().arguments;
+    let quoted = arguments
+        .iter()
+        .map(|argument| quoted(&argument.to_string_lossy()));
     std::iter::once("bouncelab".to_owned())
         .chain(quoted)
         .collect::<Vec<String>>()

@@ -14,7 +14,6 @@ import sys
 import tempfile
 import threading
 import time
-import zipfile
 from collections.abc import Callable
 from multiprocessing.process import BaseProcess
 from pathlib import Path
@@ -36,12 +35,8 @@ def ten_seconds() -> bl.Sound:
 
 
 def wheel(wheel: Path) -> None:
-    """Size of the wheel, with the program and without it."""
-    with zipfile.ZipFile(wheel) as files:
-        sizes = {file.filename: file.compress_size for file in files.infolist()}
-    program = sum(size for name, size in sizes.items() if ".data/scripts/" in name)
-    whole = wheel.stat().st_size
-    print(f"wheel: {(whole - program) / 1e6:.2f} MB without the program, {whole / 1e6:.2f} MB with it")
+    """Size of the wheel."""
+    print(f"wheel: {wheel.stat().st_size / 1e6:.2f} MB")
 
 
 def importing() -> None:

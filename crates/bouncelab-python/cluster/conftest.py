@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 from laboratory import PATTERN, RECORDINGS, SETTINGS, record
-
-from bouncelab._program import find
 
 
 @pytest.fixture(scope="session")
@@ -26,7 +25,7 @@ def few(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def session(recordings: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The tables of `bouncelab session`."""
     folder = tmp_path_factory.mktemp("session")
-    command = [find(), "session", recordings, "--output", folder, "--pattern", PATTERN]
+    command = [sys.executable, "-m", "bouncelab", "session", recordings, "--output", folder, "--pattern", PATTERN]
     command += ["--ball", SETTINGS["ball"], "--draws", str(SETTINGS["draws"]), "--tables", "parquet"]
     subprocess.run(command, check=True, capture_output=True)
     return folder

@@ -35,7 +35,6 @@ from laboratory import PATTERN, differences, listed, record
 from pyarrow import parquet
 
 from bouncelab import batch
-from bouncelab._program import find
 
 SETTINGS: batch.KernelOptions = {"ball": "table-tennis-40", "draws": 1000, "pattern": PATTERN}
 TEMPORARY = Path(os.environ.get("TMPDIR", "/tmp")) / "bouncelab-measure"
@@ -153,7 +152,7 @@ def _analyze(started: Spark | Ray) -> Callable[[Path, Path], None]:
 def _session(source: Path) -> Path:
     """The tables of `bouncelab session`, made once."""
     folder = source.with_name(source.name.replace("recordings", "session"))
-    command = [find(), "session", source, "--output", folder, "--pattern", PATTERN, "--tables", "parquet"]
+    command = [sys.executable, "-m", "bouncelab", "session", source, "--output", folder, "--pattern", PATTERN, "--tables", "parquet"]
     command += ["--ball", SETTINGS["ball"], "--draws", str(SETTINGS["draws"])]
     subprocess.run(command, check=True, capture_output=True)
     return folder
@@ -209,8 +208,9 @@ def simulate(folder: Path, count: int) -> None:
     records = []
     for place in range(100 * len(templates)):
         moved, off = json.loads(templates[place % len(templates)]["record"]), chance.gauss(0.0, 0.002)
-        for point in (point for drop in moved["drops"] for point in drop["posterior"]["curve"]):
-            point["value"] += off
+        # A reading is a sum of ln e at some speeds with weights.
+        for reading in (it for drop in moved["drops"] for it in drop["posterior"]["evidence"]["readings"]):
+            reading["value"] += off * sum(reading["weights"])
         records.append(json.dumps(moved, separators=(",", ":")))
     same = ["kernel_sha256", "settings_sha256", "metadata", "failure"]
     schema = pyarrow.schema(rows.schema.field(name) for name in ["recording", "content_sha256", "record", *same])

@@ -15,8 +15,6 @@ from clusters import Ray, Spark, cluster
 from job import spark_session
 from laboratory import names
 
-from bouncelab._program import find
-
 DOCUMENT = Path(__file__).parents[3] / "docs" / "cluster.md"
 
 
@@ -31,7 +29,7 @@ def blocks(language: str, word: str, places: dict[str, str]) -> Iterator[str]:
 
 def shell(command: str, environment: dict[str, str]) -> str:
     """Run a command with the programs of this environment."""
-    path = os.pathsep.join([str(Path(sys.executable).parent), str(Path(find()).parent), environment["PATH"]])
+    path = os.pathsep.join([str(Path(sys.executable).parent), environment["PATH"]])
     done = subprocess.run(
         ["bash", "-c", command], env=environment | {"PATH": path}, capture_output=True, text=True, check=False
     )
@@ -42,7 +40,7 @@ def shell(command: str, environment: dict[str, str]) -> str:
 def places(few: Path, folder: Path) -> dict[str, str]:
     here = {name: f"{folder}{name}" for name in ("/frame", "/results", "/manifest", "/tables")}
     # As the names of the files are.
-    here |= {"{ball_number}_{surface}_{height}_{}": "{surface}_{height}_{}", "1.0)": "1.5)"}
+    here |= {"{ball_number}_{surface}_{height}_{}": "{surface}_{height}_{}"}
     return {"/recordings": str(few), **here}
 
 
@@ -66,7 +64,7 @@ def test_spark(few: Path, tmp_path: Path, tmp_path_factory: pytest.TempPathFacto
         for word in ("SparkSession", "spark.analyze"):
             [code] = blocks("python", word, places(few, example))
             exec(compile(code, str(DOCUMENT), "exec"), found)
-        assert found["means"].count() == 3  # type: ignore[attr-defined]
+        assert len(found["study"]["study"]["groups"]) == 3  # type: ignore[index]
         session.stop()
 
 

@@ -11,13 +11,15 @@ use arrow_schema::{DataType, Field, Fields, Schema};
 use bouncelab::settings::Settings;
 use bouncelab_audio::SoundFormat;
 use bouncelab_report::data_table::DataTable;
-use bouncelab_report::groups::Question;
+use bouncelab_report::groups::{About, Question, StudyParts};
 use bouncelab_session::batch::{
     Batch, Failure as RowFailure, FailureCode, Given, Kernel as OneByOne, KernelOptions, Row,
     RowTables,
 };
 use bouncelab_session::table::Form;
-use bouncelab_session::{Error, Outcome, StudyOptions, write_tables};
+use bouncelab_session::{
+    Error, Outcome, SessionDocument, StudyOptions, compared_drops, write_tables,
+};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use serde::Deserialize;
@@ -205,6 +207,67 @@ struct Request {
     compare_at_m_s: Option<f64>,
     wanted: Option<f64>,
     exclude: Vec<String>,
+}
+
+/// What drops of a study, read in parts, add to it.
+#[pyclass(module = "bouncelab._core")]
+pub(crate) struct StudySums(StudyParts);
+
+/// What is asked of drops that are read in parts, with every level of each field that was noted.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PartsRequest {
+    noted: Vec<(String, String)>,
+    drops: usize,
+    by: Option<Vec<String>>,
+    compare_at_m_s: Option<f64>,
+    wanted: Option<f64>,
+}
+
+#[pymethods]
+impl StudySums {
+    #[new]
+    fn new(request: &str) -> Result<Self> {
+        let request: PartsRequest = serde_json::from_str(request)?;
+        let question = Question {
+            by: request.by,
+            at_speed_m_s: request.compare_at_m_s,
+            wanted: request.wanted,
+        };
+        let noted = request.noted.iter().map(|(field, level)| (field, level));
+        let parts = StudyParts::new(noted, request.drops, &question).map_err(Error::from)?;
+        Ok(Self(parts))
+    }
+
+    /// Adds the drops of a recording, by the columns `record` and `noted` of its row.
+    fn add(&mut self, record: &str, noted: BTreeMap<String, String>) -> Result<()> {
+        let english = translator("en")?;
+        for drop in compared_drops(serde_json::from_str(record)?, &noted, &english) {
+            self.0.add(drop);
+        }
+        Ok(())
+    }
+
+    /// Adds the sums of another part.
+    fn merge(&mut self, sums: &[u8]) -> Result<()> {
+        self.0.merge(&serde_json::from_slice(sums)?);
+        Ok(())
+    }
+
+    /// The sums so far.
+    fn sums(&self) -> Result<Vec<u8>> {
+        Ok(serde_json::to_vec(self.0.parts())?)
+    }
+
+    /// The document of the schema `bouncelab.session/3`, without what needs each drop.
+    fn document(&self, recordings: usize, language: &str) -> Result<String> {
+        let about = About {
+            recordings,
+            ..About::default()
+        };
+        let groups = self.0.study(about, &translator(language)?);
+        Ok(serde_json::to_string(&SessionDocument::new(&groups))?)
+    }
 }
 
 /// The results that an engine wrote.

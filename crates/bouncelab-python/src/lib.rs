@@ -20,6 +20,7 @@
 //! | `simulation` | what would a drop do, and how would it sound? |
 //! | `session` | what do many recordings say together? |
 //! | `batch` | how does an engine analyse recordings, and what do its results say? |
+//! | `program` | how is the program run in this process? |
 //! | `verdict` | does a ball or a floor obey a rule? |
 
 #![forbid(unsafe_code)]
@@ -37,6 +38,8 @@ mod failure;
 mod output;
 mod page;
 mod physics;
+#[cfg(not(target_family = "wasm"))]
+mod program;
 mod recording;
 mod samples;
 mod session;
@@ -52,7 +55,7 @@ mod _core {
     #[pymodule_export]
     use super::analyzer::Analyzer;
     #[pymodule_export]
-    use super::batch::{Kernel, Results, batch_of_rows, endings};
+    use super::batch::{Kernel, Results, StudySums, batch_of_rows, endings};
     #[pymodule_export]
     use super::chart::{Chart, colour};
     #[pymodule_export]
@@ -66,6 +69,9 @@ mod _core {
         air, balls, code_names, drag_coefficient, drag_laws, falls, flights, gravity_m_s2,
         languages, message, require_known, restitution_laws, setting_names, terminal_speed_m_s,
     };
+    #[cfg(not(target_family = "wasm"))]
+    #[pymodule_export]
+    use super::program::run_program;
     #[pymodule_export]
     use super::recording::Recording;
     #[pymodule_export]

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use bouncelab::analysis::Options;
 use bouncelab::drop::{self, Start, Stop};
 use bouncelab::impact::ImpactEvent;
 use bouncelab::restitution::Restitution;
@@ -43,12 +44,13 @@ struct Request {
     bounces: Option<usize>,
 }
 
-/// A law of the impact speed as text, or the restitution of each impact.
+/// A law of the impact speed as text, the restitution of each impact, or all that is unknown as a draw of its prior.
 #[derive(Deserialize)]
 #[serde(untagged)]
 enum Law {
     OfSpeed(String),
     Each(Vec<f64>),
+    Prior,
 }
 
 /// How it is recorded.
@@ -70,31 +72,41 @@ struct SceneRequest {
 }
 
 impl Request {
-    fn run(&self, analyzer: &Analyzer) -> Result<Run> {
+    /// The drop, and the options that it was simulated with.
+    fn run(&self, mut options: Options) -> Result<(Run, Options)> {
         let launched = self.launch_speed_m_s.map(Start::Launch);
         let start = launched.unwrap_or(Start::Height(self.height_m));
         let stop = Stop::asked(self.until_m, self.bounces);
-        let options = &analyzer.setup.options;
-        let model = options.model()?;
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
-        let mut scattered = |restitution: f64| {
-            let normal: f64 = StandardNormal.sample(&mut random);
-            restitution * (self.scatter * normal).exp()
+        let scatter = self.scatter;
+        let scattered = move |restitution: f64, random: &mut ChaCha8Rng| {
+            let normal: f64 = StandardNormal.sample(random);
+            restitution * (scatter * normal).exp()
         };
-        let contact_time_s = options.contact_time_s;
-        let history = match &self.restitution {
+        let mut kept: Box<dyn FnMut(usize, f64) -> f64> = match &self.restitution {
             Law::OfSpeed(law) => {
                 let law: Restitution = law.parse()?;
-                let kept = |_, speed_m_s| scattered(law.at(speed_m_s));
-                drop::simulate_each(&model, contact_time_s, kept, start, stop)?
+                Box::new(move |_, speed_m_s| scattered(law.at(speed_m_s), &mut random))
             }
-            Law::Each(each) => {
-                let kept = |impact: usize, _| scattered(each[impact]);
-                drop::simulate_each(&model, contact_time_s, kept, start, stop)?
+            Law::Each(each) => Box::new(move |impact, _| scattered(each[impact], &mut random)),
+            Law::Prior => {
+                let nominal = (&options.ball, &options.environment, options.contact_time_s);
+                let (ball, environment, contact_s) = nominal;
+                let priors = &options.priors;
+                let drawn =
+                    priors.draw(ball, environment, contact_s, self.height_m, &mut random)?;
+                options.ball = drawn.ball;
+                options.environment = drawn.environment.clone();
+                options.contact_time_s = drawn.contact_time_s;
+                Box::new(move |_, speed_m_s| {
+                    drawn.restitution.at(speed_m_s) * drawn.deviation(&mut random).exp()
+                })
             }
         };
+        let model = options.model()?;
+        let history = drop::simulate_each(&model, options.contact_time_s, &mut kept, start, stop)?;
         let law = options.environment.drag.clone();
-        Ok(Run::of(law, &model, history))
+        Ok((Run::of(law, &model, history), options))
     }
 }
 
@@ -132,6 +144,7 @@ pub(crate) struct Simulation {
     analyzer: Analyzer,
     request: String,
     run: Run,
+    options: Options,
 }
 
 #[pymethods]
@@ -139,10 +152,12 @@ impl Simulation {
     #[new]
     fn new(analyzer: &Analyzer, request: String) -> Result<Self> {
         let asked: Request = serde_json::from_str(&request)?;
+        let (run, options) = asked.run(analyzer.setup.options.clone())?;
         Ok(Self {
             analyzer: analyzer.clone(),
-            run: asked.run(analyzer)?,
             request,
+            run,
+            options,
         })
     }
 
@@ -155,11 +170,7 @@ impl Simulation {
         let setup = &self.analyzer.setup;
         let mut assumptions = setup.assumptions.clone();
         translator(language)?.complete_each(&mut assumptions);
-        let document = Document::new(
-            std::slice::from_ref(&self.run),
-            &setup.options,
-            &assumptions,
-        );
+        let document = Document::new(std::slice::from_ref(&self.run), &self.options, &assumptions);
         Ok(serde_json::to_string(&document)?)
     }
 

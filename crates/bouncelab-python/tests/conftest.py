@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+import sys
+
 import pytest
 
 import bouncelab as bl
+
+#: The program, in this interpreter.
+PROGRAM = [sys.executable, "-m", "bouncelab"]
 
 #: Of a real drop of a table-tennis ball: paper, Table 1.
 TIMES_S = [0.0, 0.4605, 0.8877, 1.2854, 1.6568, 2.0045, 2.3308, 2.6375, 2.9262, 3.1984]

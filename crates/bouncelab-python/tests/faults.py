@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import os
 import time
+from typing import Any
+
+import pytest
 
 from bouncelab import _session, batch
 from bouncelab._isolated import MEMORY
@@ -58,3 +61,14 @@ class Process:
 
     def row(self, given: object, /) -> bytes:
         return str(os.getpid()).encode()
+
+
+def same_groups(found: dict[str, Any], expected: dict[str, Any]) -> None:
+    """Compare the groups of two documents: sums that are added up in another order differ in their last digits."""
+    assert [group["levels"] for group in found["study"]["groups"]] == [
+        group["levels"] for group in expected["study"]["groups"]
+    ]
+    for one, other in zip(found["study"]["groups"], expected["study"]["groups"], strict=True):
+        for number in ("value", "sd"):
+            assert one["restitution"][number] == pytest.approx(other["restitution"][number], rel=1e-6)
+        assert one["between_drops"]["value"] == pytest.approx(other["between_drops"]["value"], rel=1e-6)

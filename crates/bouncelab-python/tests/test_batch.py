@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import pickle
 import subprocess
@@ -18,8 +19,8 @@ from pyarrow import parquet  # noqa: E402
 import bouncelab as bl  # noqa: E402
 from bouncelab import batch  # noqa: E402
 from bouncelab._isolated import child_process  # noqa: E402
-from bouncelab._program import find  # noqa: E402
-from faults import Greedy, Process, faulty  # noqa: E402
+from conftest import PROGRAM  # noqa: E402
+from faults import Greedy, Process, faulty, same_groups  # noqa: E402
 
 PATTERN = "{surface}_{height}_{}"
 SETTINGS: batch.KernelOptions = {"ball": "table-tennis-40", "draws": 100, "pattern": PATTERN}
@@ -86,14 +87,10 @@ def test_rows_depend_on_no_batches_no_order_and_no_process(folder: Path) -> None
 
 
 def test_a_session_takes_the_rows_for_its_own_results(folder: Path, results: Path, tmp_path: Path) -> None:
-    try:
-        program = find()
-    except FileNotFoundError:
-        pytest.skip("this wheel has no program")
     known = ["--pattern", PATTERN, "--ball", "table-tennis-40", "--draws", "100"]
 
     def session(name: str, *arguments: object) -> dict[str, object]:
-        command = [program, "session", *arguments, "--output", tmp_path / name, "--tables", "parquet", "--figures"]
+        command = [*PROGRAM, "session", *arguments, "--output", tmp_path / name, "--tables", "parquet", "--figures"]
         document = subprocess.run([*command, "--format", "json"], check=True, capture_output=True, text=True).stdout
         tables = [parquet.read_table(tmp_path / name / f"{table}.parquet") for table in ("drops", "impacts")]
         keys = [("recording", "ascending"), ("drop", "ascending")]
@@ -139,6 +136,22 @@ def test_a_study_is_that_of_a_session(folder: Path, results: Path) -> None:
     expected = bl.session(folder, pattern=PATTERN, ball="table-tennis-40", draws=100).to_dict()
     assert batch.study(results) == expected
     assert batch.study(results, by=["surface"], compare_at_m_s=1.0)["study"]["at_speed_m_s"] == 1.0  # type: ignore[index,call-overload]
+
+
+def test_a_study_of_parts_is_that_of_all(results: Path) -> None:
+    """Each row makes sums of its own, which merge in two steps; of equal contents one counts."""
+    whole = parquet.read_table(results).sort_by("recording").to_pylist()
+    first = {row["content_sha256"]: row for row in reversed(whole) if row["record"] is not None}
+    chosen = list(first.values())
+    schema = pyarrow.schema({"record": pyarrow.string(), "noted": pyarrow.map_(pyarrow.string(), pyarrow.string())})
+    parts = [pyarrow.RecordBatch.from_pylist([{name: row[name] for name in schema.names}], schema) for row in chosen]
+    noted = sorted({level for row in chosen for level in row["noted"]})
+    asked = {"noted": noted, "drops": len(chosen), "by": ["surface"], "compare_at_m_s": 1.5, "wanted": None}
+    sums = batch.StudySums(json.dumps(asked))
+    apart = [part for each in parts for part in sums.add([each])]
+    merged = [part["sums"][0].as_py() for half in (apart[::2], apart[1::2]) for part in sums.merge(half)]
+    found = json.loads(sums.merged(merged).document(len(chosen), "en"))
+    same_groups(found, batch.study(results, by=["surface"], compare_at_m_s=1.5))
 
 
 def test_notes_are_columns(folder: Path, tmp_path: Path) -> None:

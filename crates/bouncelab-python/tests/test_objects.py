@@ -52,7 +52,7 @@ def everything() -> dict[str, object]:
 
 OBJECTS = everything()
 #: Kinds of arguments, which have no objects of their own, a warning, and a tuple of arrays.
-WITHOUT = {"BouncelabWarning", "Gradient", "Options", "PhysicsOptions", "Progress", "ProgressBar"}
+WITHOUT = {"BouncelabWarning", "Gradient", "Options", "PhysicsOptions", "Progress", "ProgressBar", "SimulationOptions"}
 
 
 def test_every_public_class_is_among_them() -> None:

@@ -11,10 +11,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import TIMES_S
+from conftest import PROGRAM, TIMES_S
 
 import bouncelab as bl
-from bouncelab._program import find
 
 
 def test_a_posterior_has_the_numbers_of_the_document(times: bl.Recording) -> None:
@@ -58,12 +57,8 @@ def assert_same_fields(found: object, document: object) -> None:
 
 
 def test_the_document_is_that_of_the_program(sound: bl.Sound, tmp_path: Path) -> None:
-    try:
-        program = find()
-    except FileNotFoundError:
-        pytest.skip("this wheel has no program")
     sound.save(tmp_path / "drop.wav")
-    command = [program, "analyze", "drop.wav", "--ball", "tennis", "--draws", "500", "--format", "json"]
+    command = [*PROGRAM, "analyze", "drop.wav", "--ball", "tennis", "--draws", "500", "--format", "json"]
     shown = subprocess.run(command, cwd=tmp_path, capture_output=True, check=True)
     found = bl.analyze(tmp_path / "drop.wav", ball="tennis", draws=500, name="drop.wav")
     assert without_messages(found.to_dict()) == without_messages(json.loads(shown.stdout))

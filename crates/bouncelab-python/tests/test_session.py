@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import os
 import pickle
+import signal
 import subprocess
-import sys
+import sysconfig
 from pathlib import Path
 
 import pytest
 
 import bouncelab as bl
 from bouncelab import _session
-from bouncelab._program import find
+from conftest import PROGRAM
 from faults import FaultyWork
 
 PATTERN = "{surface}_{height}_{}"
@@ -55,11 +56,7 @@ def test_the_tables_of_the_laboratory_are_those_of_the_program(tmp_path: Path) -
 def assert_equal_tables(folder: Path, pattern: str, study: bl.Study, tmp_path: Path) -> None:
     """Compare all cells of the tables of Python and of the program."""
     pyarrow_parquet = pytest.importorskip("pyarrow.parquet")
-    try:
-        program = find()
-    except FileNotFoundError:
-        pytest.skip("this wheel has no program")
-    command = [program, "session", folder, "--output", tmp_path, "--pattern", pattern]
+    command = [*PROGRAM, "session", folder, "--output", tmp_path, "--pattern", pattern]
     command += ["--ball", "table-tennis-40", "--draws", "100", "--tables", "parquet"]
     subprocess.run(command, check=True, capture_output=True)
     cells = 0
@@ -183,10 +180,20 @@ def test_a_study_is_pickled_whole(study: bl.Study) -> None:
 
 
 def test_the_program_comes_along() -> None:
-    try:
-        program = find()
-    except FileNotFoundError:
-        pytest.skip("this wheel has no program")
-    for command in ([program], [sys.executable, "-m", "bouncelab"]):
+    installed = Path(sysconfig.get_path("scripts")) / "bouncelab"
+    for command in (PROGRAM, [installed]):
         shown = subprocess.run([*command, "--version"], capture_output=True, text=True, check=True)
         assert shown.stdout.strip() == f"bouncelab {bl.__version__}"
+
+
+def test_the_program_has_its_exit_status_and_takes_over_interruptions(tmp_path: Path) -> None:
+    assert subprocess.run([*PROGRAM, "analyze", "missing.wav"], capture_output=True, check=False).returncode == 1
+    assert subprocess.run([*PROGRAM, "analyse"], capture_output=True, check=False).returncode == 2
+    # Ten minutes in real time, which the program ends with a summary at the first Ctrl-C; Python would end with a traceback.
+    bl.synthesize(bounces=5, tail_s=600.0, sample_rate_hz=8000).save(tmp_path / "drop.wav")
+    command = [*PROGRAM, "listen", "--from", tmp_path / "drop.wav"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as listening:
+        assert listening.stdout is not None and "drop 1" in listening.stdout.readline()
+        listening.send_signal(signal.SIGINT)
+        _, messages = listening.communicate()
+    assert listening.returncode == 0 and "Traceback" not in messages

@@ -5,7 +5,6 @@
 //! files have changed meanwhile. It is asked for recordings one by one, by lines of JSON on its stdin, and answers
 //! with their records on its stdout.
 
-use std::env;
 use std::ffi::OsString;
 use std::io::{self, BufRead, BufReader, Write};
 use std::process::{Child, ChildStdout, Command, ExitStatus, Stdio};
@@ -16,6 +15,7 @@ use bouncelab_session::{KnownRecording, Record, record_of};
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
+use crate::invocation::Invocation;
 use crate::terminal::print_data;
 
 /// The argument that makes a worker of a session.
@@ -84,8 +84,14 @@ struct Worker {
 
 impl Worker {
     fn start() -> io::Result<Self> {
-        let mut process = Command::new(env::current_exe()?)
-            .args(arguments(env::args_os().skip(1)))
+        let Invocation {
+            program,
+            arguments: of_session,
+        } = Invocation::of_this_process();
+        let (name, others) = program.split_first().ok_or(io::ErrorKind::NotFound)?;
+        let mut process = Command::new(name)
+            .args(others)
+            .args(arguments(of_session.clone()))
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
             .spawn()?;
@@ -126,8 +132,7 @@ impl Drop for Worker {
 }
 
 /// The arguments of a worker, from those of its session.
-fn arguments(of_session: impl Iterator<Item = OsString>) -> Vec<OsString> {
-    let mut arguments: Vec<OsString> = of_session.collect();
+fn arguments(mut arguments: Vec<OsString>) -> Vec<OsString> {
     // Behind the name of the command: further behind, there may be a `--`.
     let command = arguments.iter().position(|word| word == "session");
     let behind = command.map_or(arguments.len(), |index| index + 1);
@@ -271,7 +276,7 @@ mod tests {
 
     #[test]
     fn a_worker_has_the_arguments_of_its_session() {
-        let of = |words: &[&str]| arguments(words.iter().map(OsString::from));
+        let of = |words: &[&str]| arguments(words.iter().map(OsString::from).collect());
         assert_eq!(
             of(&["--language", "de", "session", "--", "-a"]),
             ["--language", "de", "session", "--worker", "--", "-a"]

@@ -78,7 +78,7 @@ if TYPE_CHECKING:
     )
     from bouncelab._recording import Draws, Drop, Drops, Recording
     from bouncelab._session import Study, session
-    from bouncelab._settings import Air, Ball, Options, PhysicsOptions
+    from bouncelab._settings import Air, Ball, Options, PhysicsOptions, SimulationOptions
     from bouncelab._simulation import Simulation, Sound, simulate, synthesize
     from bouncelab._table import Column, Table
     from bouncelab._verdict import Rule, Verdict, rules, verdict
@@ -104,7 +104,7 @@ _PLACES = {
     ),
     "_recording": "Draws Drop Drops Recording",
     "_session": "Study session",
-    "_settings": "Air Ball Options PhysicsOptions",
+    "_settings": "Air Ball Options PhysicsOptions SimulationOptions",
     "_simulation": "Simulation Sound simulate synthesize",
     "_table": "Column Table",
     "_verdict": "Rule Verdict rules verdict",
@@ -162,6 +162,7 @@ __all__ = [
     "SettingsUsed",
     "Share",
     "Simulation",
+    "SimulationOptions",
     "Sound",
     "Source",
     "StrongestBand",

@@ -154,6 +154,11 @@ def analyze(
             Whether the first impact detected is the first there was.
         restitution_laws : list of str
             Names of :func:`restitution_laws` to compare; the smooth law alone if left out.
+        restitution_prior : mapping, pair of functions or str
+            What is known of the restitution over the impact speed, in place of anything from 0 to 1: mean and standard
+            deviation at speeds in m/s, as in ``{0.5: (0.93, 0.01), 3.0: (0.86, 0.02)}``; a function of the speed for the mean
+            and one for the standard deviation; or one for the mean and a list of functions, each times a standard
+            normal of its own. The law is then the smooth one. A study takes each drop without it.
         infer : list of str
             What to leave to the data: gravity, drag, contact-time.
         known : mapping of str to float

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from numbers import Integral
 from typing import SupportsFloat, TypeAlias, TypedDict, Unpack, get_type_hints
@@ -72,6 +72,15 @@ class Air:
 Drag: TypeAlias = str | Mapping[float, float] | Iterable[tuple[float, float]] | Callable[[float], float]
 
 
+#: What is known of the restitution over the impact speed: as text; mean and standard deviation at speeds; or functions of the
+#: speed, of the mean and of the standard deviation, or of the mean and a list of those with standard normal factors.
+Prior: TypeAlias = (
+    str
+    | Mapping[float, tuple[float, float]]
+    | tuple[Callable[[float], float], Callable[[float], float] | Sequence[Callable[[float], float]]]
+)
+
+
 class BallOptions(TypedDict, total=False):
     """What is given of the ball."""
 
@@ -136,12 +145,18 @@ class AnalysisOptions(TypedDict, total=False):
     compare_balls: bool | None
 
 
-class InferenceOptions(TypedDict, total=False):
-    """The inference."""
+class PriorOptions(TypedDict, total=False):
+    """What is known before the data."""
 
     restitution_laws: Iterable[str] | None
+    restitution_prior: Prior | None
     infer: Iterable[str] | None
     known: Mapping[str, float] | None
+
+
+class InferenceOptions(PriorOptions, total=False):
+    """The inference."""
+
     at_speed_m_s: float | None
     reach: Iterable[tuple[int, float]] | None
     draws: int | None
@@ -156,6 +171,18 @@ class PhysicsOptions(BallOptions, AirOptions, GravityOptions, total=False):
     >>> import bouncelab as bl
     >>> given: bl.PhysicsOptions = {"ball": "tennis", "temperature_k": 288.15}
     >>> len(bl.simulate(bounces=3, **given).bounces)
+    3
+    """
+
+
+class SimulationOptions(PhysicsOptions, PriorOptions, total=False):
+    """What is given of ball, air and gravity, and what is known for draws of the prior.
+
+    Examples
+    --------
+    >>> import bouncelab as bl
+    >>> given: bl.SimulationOptions = {"ball": "tennis", "known": {"drag": 0.02}}
+    >>> len(bl.simulate(bounces=3, restitution="prior", **given).bounces)
     3
     """
 
@@ -259,6 +286,8 @@ def _plain(name: str, kind: object, value: object) -> object:
         return [_target(each) for each in _listed(name, value)]
     if name == "drag":
         return drag_law(value)
+    if name == "restitution_prior":
+        return restitution_prior(value)
     if name == "known":
         if not isinstance(value, Mapping):
             raise InputError(f"known must be a mapping, not {_kind(value)}")
@@ -283,6 +312,32 @@ def drag_law(value: object) -> str:
             raise InputError("drag must be pairs of a Reynolds number and a drag coefficient, as in [(1e4, 0.64), (1e5, 0.58)]")
         points = sorted((number("drag", reynolds), number("drag", coefficient)) for reynolds, coefficient in pairs)
     return "table:" + ",".join(f"{reynolds!r}={coefficient!r}" for reynolds, coefficient in points)
+
+
+#: Impact speeds in m/s at which a function of them is sampled, 16 for a factor of two: from impacts that are hardly heard to the
+#: fastest serve.
+SPEEDS_M_S = tuple(2.0 ** (place / 16.0) for place in range(-5 * 16, 6 * 16 + 1))
+
+
+def restitution_prior(value: object) -> str:
+    """Return what is known of the restitution as text: mappings and functions of the impact speed are tables."""
+    name = "restitution_prior"
+    if isinstance(value, str):
+        return value
+    kind = "normal"
+    if isinstance(value, Mapping):
+        points = [(number(name, speed), _listed(name, pair)) for speed, pair in value.items()]
+    else:
+        listed = _listed(name, value)
+        of_speed = [listed[0], *(listed[1:] if callable(listed[-1]) else _listed(name, listed[-1]))] if listed else []
+        if len(listed) != 2 or not all(map(callable, of_speed)):
+            raise InputError(f"{name} must be a mapping, or a function of the mean and one or a list of deviations")
+        kind = "normal" if callable(listed[1]) else "functions"
+        points = [(speed, [function(speed) for function in of_speed]) for speed in SPEEDS_M_S]  # type: ignore[operator]
+    if any(len(numbers) < 2 for _, numbers in points):
+        raise InputError(f"{name} must have a mean and a standard deviation at each speed, as in {{1.0: (0.9, 0.02)}}")
+    texts = (f"{speed!r}=" + ":".join(repr(number(name, each)) for each in numbers) for speed, numbers in sorted(points))
+    return f"{kind}:" + ",".join(texts)
 
 
 def _target(value: object) -> dict[str, float]:

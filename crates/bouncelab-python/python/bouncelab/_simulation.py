@@ -14,7 +14,7 @@ from bouncelab._data import JSON
 from bouncelab._errors import InputError
 from bouncelab._figure import Figure, figure
 from bouncelab._report import Documented
-from bouncelab._settings import PhysicsOptions, analyzer, count, number, text
+from bouncelab._settings import SimulationOptions, analyzer, count, number, text
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
@@ -236,7 +236,7 @@ def simulate(
     seed: int = 1,
     until_m: float | None = None,
     bounces: int | None = None,
-    **settings: Unpack[PhysicsOptions],
+    **settings: Unpack[SimulationOptions],
 ) -> Simulation: ...
 @overload
 def simulate(
@@ -248,7 +248,7 @@ def simulate(
     seed: int = 1,
     until_m: float | None = None,
     bounces: int | None = None,
-    **settings: Unpack[PhysicsOptions],
+    **settings: Unpack[SimulationOptions],
 ) -> tuple[Simulation, ...]: ...
 def simulate(
     *,
@@ -259,7 +259,7 @@ def simulate(
     seed: int = 1,
     until_m: float | None = None,
     bounces: int | None = None,
-    **settings: Unpack[PhysicsOptions],
+    **settings: Unpack[SimulationOptions],
 ) -> Simulation | tuple[Simulation, ...]:
     """Simulate a drop, or one from each of several heights.
 
@@ -272,16 +272,19 @@ def simulate(
     restitution : float or str, or list or array of float
         Coefficient of restitution, 0 to 1, or a law of the impact speed, such as ``"linear:0.95,0.01"``;
         :func:`restitution_laws` has an example of each. A list has the restitution of each impact, and the drop ends with it.
+        ``"prior"`` draws all that is unknown before the data: the law over speeds from a quarter of that of the first
+        impact, scatter, ball, air, drag, gravity and contact time, as ``restitution_laws``, ``restitution_prior`` and ``known``
+        of :func:`analyze` have them.
     scatter : float
-        Standard deviation of the logarithm of the restitution from impact to impact, normal.
+        Standard deviation of the logarithm of the restitution from impact to impact, normal; a draw of the prior has its own.
     seed : int
-        Seed of the scatter.
+        Seed of the scatter, and of a draw of the prior.
     until_m : float, optional
         Stop when the ball rises no higher; 1 mm, unless ``bounces`` is given.
     bounces : int, optional
         Stop after this number of bounces.
     **settings
-        Ball, air, drag and gravity, as of :func:`analyze`.
+        Ball, air, drag and gravity, and what is known of them, as of :func:`analyze`.
 
     Returns
     -------
@@ -343,7 +346,7 @@ def synthesize(
     scatter: float = 0.0,
     until_m: float | None = None,
     bounces: int | None = None,
-    **settings: Unpack[PhysicsOptions],
+    **settings: Unpack[SimulationOptions],
 ) -> Sound:
     """Synthesise the sound of a drop, whose truth is known.
 
@@ -423,10 +426,10 @@ def synthesize(
     return Sound(np.frombuffer(samples, dtype=np.float32), int(sample_rate_hz), Table(impacts), simulation)
 
 
-def _law(restitution: object) -> str | list[float]:
-    """Return a restitution as the text of a law, or as that of each impact: a number is a constant restitution."""
+def _law(restitution: object) -> str | list[float] | None:
+    """Return a restitution as the text of a law, as that of each impact, or as ``None`` for a draw of the prior."""
     if isinstance(restitution, str):
-        return restitution
+        return None if restitution == "prior" else restitution
     if not hasattr(restitution, "__len__"):
         return repr(number("restitution", restitution))
     each = as_numbers("restitution", restitution)

@@ -8,16 +8,15 @@ them as Parquet; :func:`explode` and :func:`study` read that. It takes pyarrow.
 
 from __future__ import annotations
 
-import itertools
 import json
 import os
 import re
-import tempfile
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from typing import TYPE_CHECKING, NamedTuple, cast
 
 from bouncelab import _core
 from bouncelab._errors import BouncelabError, InputError, RecordingNotFoundError, imported
@@ -32,7 +31,7 @@ if TYPE_CHECKING:
 
     from bouncelab._data import JSON
 
-__all__ = ["MEAN", "Kernel", "KernelOptions", "analyze_frame", "explode", "kernel", "manifest", "mean", "study"]
+__all__ = ["Kernel", "KernelOptions", "StudySums", "analyze_frame", "explode", "kernel", "manifest", "study"]
 
 #: Number of rows in a batch: a megabyte or two.
 ROWS_AT_ONCE = 50
@@ -394,43 +393,40 @@ def study(
     return document
 
 
-#: What :func:`mean` says of a group, and where the document of a study has it.
-MEAN: dict[str, Callable[[Any], object]] = {
-    "restitution": lambda group: group["restitution"] and group["restitution"]["value"],
-    "restitution_sd": lambda group: group["restitution"] and group["restitution"]["sd"],
-    "drops": lambda group: group["drops"],
-    "between_drops": lambda group: group["between_drops"]["value"],
-    "between_impacts": lambda group: group["between_impacts"],
-    "shared_sd": lambda group: group["shared_sd"],
-}
+@dataclass(frozen=True)
+class StudySums:
+    """What the drops of some rows add to a study: each part of them becomes a row with its sums, and few parts one.
 
-
-def mean(rows: Iterable[pyarrow.RecordBatch], compare_at_m_s: float) -> dict[str, object]:
-    """Return the restitution of the drops of some rows as one group, for engines that have the rows of a group.
-
-    Parameters
+    Attributes
     ----------
-    rows : iterable of pyarrow.RecordBatch
-        The rows of a kernel, without those of equal contents.
-    compare_at_m_s : float
-        Impact speed at which drops are compared.
-
-    Returns
-    -------
-    dict
-        The numbers of ``MEAN``, or the reason under ``no_study``.
+    request : str
+        What is asked, with every level that was noted, as JSON.
     """
-    from pyarrow import parquet
 
-    batches = iter(rows)
-    with tempfile.TemporaryDirectory() as folder:
-        path, first = Path(folder) / "rows.parquet", next(batches)
-        with parquet.ParquetWriter(path, first.schema) as writer:
-            for part in itertools.chain([first], batches):
-                writer.write_batch(part)
-        document: dict[str, Any] = study(path, by=[], compare_at_m_s=compare_at_m_s)
-    found = document["study"]
-    return {"no_study": document["no_study"]} | {name: found and of(found["groups"][0]) for name, of in MEAN.items()}
+    request: str
+
+    def add(self, rows: Iterable[pyarrow.RecordBatch]) -> Iterator[pyarrow.RecordBatch]:
+        """Give the sums of rows of a kernel, without those of equal contents: columns ``record`` and ``noted``."""
+        sums = _core.StudySums(self.request)
+        for part in rows:
+            for record, noted in zip(part["record"], part["noted"], strict=True):
+                sums.add(record.as_py(), dict(noted.as_py()))
+        yield self._row(sums)
+
+    def merge(self, parts: Iterable[pyarrow.RecordBatch]) -> Iterator[pyarrow.RecordBatch]:
+        """Give the sums of parts."""
+        yield self._row(self.merged(each.as_py() for part in parts for each in part["sums"]))
+
+    def merged(self, parts: Iterable[bytes]) -> _core.StudySums:
+        """Return the sums of parts."""
+        sums = _core.StudySums(self.request)
+        for part in parts:
+            sums.merge(part)
+        return sums
+
+    def _row(self, sums: _core.StudySums) -> pyarrow.RecordBatch:
+        pyarrow = imported("pyarrow", "pyarrow")
+        return pyarrow.RecordBatch.from_pydict({"sums": pyarrow.array([sums.sums()], pyarrow.binary())})
 
 
 def _results(results: str | PathLike[str], options: Mapping[str, object]) -> _core.Results:

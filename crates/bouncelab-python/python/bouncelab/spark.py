@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
+import json
 import uuid
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from os import fspath
 from typing import TYPE_CHECKING
 
@@ -13,18 +14,20 @@ from bouncelab._errors import imported
 imported("pyarrow", "spark")
 imported("pyspark", "spark")
 
-import pyarrow
 from pyspark.errors import AnalysisException
 from pyspark.sql import functions
-from pyspark.sql.pandas.types import from_arrow_schema
 
 from bouncelab import batch
-from bouncelab._settings import count
+from bouncelab._data import JSON
+from bouncelab._settings import count, texts
 
 if TYPE_CHECKING:
     from os import PathLike
 
     from pyspark.sql import DataFrame, SparkSession
+
+#: The sums of all parts are merged by this number of tasks, and their results by the driver.
+MERGED = 8
 
 
 def analyze(
@@ -94,33 +97,45 @@ def _done(spark: SparkSession, kernel: batch.Kernel, output: str) -> set[str]:
     return {row["recording"] for row in rows}
 
 
-def study(results: DataFrame, by: Iterable[str], *, compare_at_m_s: float) -> DataFrame:
-    """Return the restitution of each group of drops, by the drops of this group alone; Spark 4.1 or later.
-
-    :func:`bouncelab.batch.study` fits all groups as one model, in which they share balls and operators. The
-    restitutions of the two differ by little of their uncertainty.
+def study(
+    results: DataFrame,
+    *,
+    by: str | Iterable[str] | None = None,
+    compare_at_m_s: float | None = None,
+    wanted: float | None = None,
+    language: str = "en",
+) -> dict[str, JSON]:
+    """Compare the drops of rows: the model of :func:`bouncelab.batch.study`, whose sums the workers make.
 
     Parameters
     ----------
     results : DataFrame
         The rows, as of ``spark.read.parquet(f"{output}/*")``.
-    by : iterable of str
-        What makes groups, as it was noted.
-    compare_at_m_s : float
-        Impact speed at which drops are compared.
+    by, compare_at_m_s, wanted
+        As of :func:`bouncelab.session`.
+    language : str
+        Language of the reasons.
+
+    Returns
+    -------
+    dict
+        The document of the schema ``bouncelab.session/3``, without what names single drops: those left out or odd, heights and
+        outliers.
     """
-    fields = list(by)
     # Of equal contents the first name counts.
     first = results.groupBy("content_sha256").agg(functions.min("recording").alias("recording"))
     rows = results.where("record is not null").join(first, ["content_sha256", "recording"], "left_semi")
-    groups = rows.groupBy(*(rows["noted"][field].alias(field) for field in fields))
-    types = dict.fromkeys(fields, pyarrow.string()) | dict.fromkeys(batch.MEAN, pyarrow.float64())
-    schema = pyarrow.schema(types | {"no_study": pyarrow.string()})
-
-    def mean(
-        key: tuple[pyarrow.Scalar, ...], rows: Iterator[pyarrow.RecordBatch]
-    ) -> Iterator[pyarrow.RecordBatch]:
-        known = dict(zip(fields, (level.as_py() for level in key), strict=True))
-        yield pyarrow.RecordBatch.from_pylist([known | batch.mean(rows, compare_at_m_s)], schema)
-
-    return groups.applyInArrow(mean, from_arrow_schema(schema))
+    counts = rows.agg(functions.count("*"), functions.sum(functions.size("drops"))).head()
+    noted = rows.select(functions.explode("noted")).distinct().collect()
+    asked = {
+        "noted": sorted((field, level) for field, level in noted),
+        "drops": counts[1] or 0,
+        "by": None if by is None else texts("by", by),
+        "compare_at_m_s": compare_at_m_s,
+        "wanted": wanted,
+    }
+    sums = batch.StudySums(json.dumps(asked))
+    parts = rows.select("record", "noted").mapInArrow(sums.add, "sums binary")
+    few = parts.repartition(MERGED).mapInArrow(sums.merge, "sums binary").collect()
+    document: dict[str, JSON] = json.loads(sums.merged(bytes(row[0]) for row in few).document(counts[0], language))
+    return document
