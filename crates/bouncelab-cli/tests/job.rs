@@ -55,6 +55,23 @@ fn court(folder: &TempDir) {
         .replace("client = \"\"", "client = \"Tennis club <Grün>\"")
         .replace("deviations = \"\"", "deviations = \"none\"")
         .replace(
+            "item = \"\"",
+            "item = \"Court 3, acrylic on asphalt, dry, four years old\"",
+        )
+        .replace(
+            "sample = \"\"",
+            "sample = \"five places, chosen by the laboratory on 2026-11-26\"",
+        )
+        .replace("location = \"\"", "location = \"Parkweg 2, 12345 Town\"")
+        .replace(
+            "conditions = \"\"",
+            "conditions = \"dry; 21 °C, 48 %, in all places\"",
+        )
+        .replace(
+            "authorised = \"\"",
+            "authorised = \"C. Head, head of laboratory\"",
+        )
+        .replace(
             "equipment = []",
             "equipment = [\"tape 7, calibrated 2026-03-01\"]",
         );
@@ -141,6 +158,16 @@ fn five_places_by_five_drops_become_a_report() {
     assert_eq!(document["outcome"], "conforms");
     let count = |name: &str| document[name].as_array().unwrap().len();
     assert_eq!((count("drops"), count("reference_drops")), (25, 5));
+    assert_eq!(document["test"]["number"], "2026-17");
+    assert_eq!(
+        document["test"]["equipment"][0],
+        "tape 7, calibrated 2026-03-01"
+    );
+    assert_eq!(document["test"]["checks"].as_array().unwrap().len(), 2);
+    assert_eq!(document["precision"]["levels"], 5);
+    let repeated = document["recordings"].as_array().unwrap().iter();
+    let reasons: Vec<&Value> = repeated.filter_map(|line| line.get("repeated")).collect();
+    assert_eq!(reasons, ["a door slammed"]);
     print_as_pdf(&folder);
 }
 

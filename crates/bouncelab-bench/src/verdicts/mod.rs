@@ -15,8 +15,12 @@ use rayon::prelude::*;
 
 use crate::Result;
 
-/// Distances of the truth from the lower limit, as a share of the limit: outside, on it, inside.
+/// Numbers of drops, and by how much the restitution differs from drop to drop, as a share.
+const DROPS: &[(usize, f64)] = &[(1, 0.0), (3, 0.005), (5, 0.005), (10, 0.005), (30, 0.005)];
+/// How far inside the limit the truth is, as a share of it: outside, on it, inside.
 const STEPS: [f64; 5] = [-0.02, -0.01, 0.0, 0.01, 0.03];
+/// The same of differences of places.
+const STEPS_OF_PLACES: [f64; 5] = [-0.6, -0.3, 0.0, 0.3, 0.6];
 
 /// `verdicts [BALLS]`: prints the table.
 ///
@@ -33,32 +37,26 @@ pub fn run(arguments: &[String]) -> Result {
     );
     println!("|---|---|---|---|---|---|---|---|");
     for kind in Kind::ALL {
-        for (drops, between) in [
-            (1, 0.0),
-            (3, 0.0),
-            (3, 0.005),
-            (5, 0.005),
-            (10, 0.005),
-            (30, 0.005),
-        ] {
-            for step in STEPS {
-                line(
-                    Trial {
-                        kind,
-                        truth: least(kind) * (1.0 + step),
-                        drops,
-                        between,
-                    },
-                    balls,
-                );
+        for &(drops, between) in DROPS {
+            // Where each drop counts, what differs between drops is no error.
+            let between = if kind == Kind::EachDrop { 0.0 } else { between };
+            let steps = if kind.compares_places() {
+                STEPS_OF_PLACES
+            } else {
+                STEPS
+            };
+            for inside in steps {
+                let trial = Trial {
+                    kind,
+                    inside,
+                    drops,
+                    between,
+                };
+                line(trial, balls);
             }
         }
     }
     Ok(())
-}
-
-fn least(kind: Kind) -> f64 {
-    kind.limits().least.unwrap_or_default()
 }
 
 fn line(trial: Trial, balls: u64) {
@@ -76,14 +74,10 @@ fn line(trial: Trial, balls: u64) {
     let conforms = share(&[Outcome::Conforms, Outcome::ConformsAsFarAsShown]);
     let fails = share(&[Outcome::DoesNotConform]);
     // A ball on a limit counts as outside: to accept it is what the rule guards against.
-    let wrong = if trial.truth > least(trial.kind) {
-        fails
-    } else {
-        conforms
-    };
+    let wrong = if trial.inside > 0.0 { fails } else { conforms };
     let truth = match trial.kind {
-        Kind::Share => format!("{:.1} %", 100.0 * trial.truth),
-        Kind::Height | Kind::Formula => format!("{:.2} cm", 100.0 * trial.truth),
+        Kind::Height | Kind::EachDrop | Kind::Formula => format!("{:.2} cm", 100.0 * trial.truth()),
+        Kind::Share | Kind::WithinOfMean | Kind::Range => format!("{:.1} %", 100.0 * trial.truth()),
     };
     println!(
         "| {} | {truth} | {} | {:.1} % | {conforms:.1} | {:.1} | {fails:.1} | {wrong:.1} |",

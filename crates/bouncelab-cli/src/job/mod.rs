@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use bouncelab::rulebook::{self, Conditions, Decision, Item, Precision, Rebound, Rule};
 use bouncelab::{Plain, demo};
+use bouncelab_report::document::verdict::VerdictDocument;
 use bouncelab_report::report::Provenance;
 use bouncelab_report::report::verdict::{MethodCheck, TestNotes};
 use bouncelab_report::rules;
@@ -16,6 +17,7 @@ use clap::{Args, Subcommand};
 use jiff::Zoned;
 use rayon::prelude::*;
 use record::{Job, Recorded};
+use serde::Serialize;
 
 use crate::analyze::read;
 use crate::failure::Failure;
@@ -335,10 +337,6 @@ impl Opened {
         given_as: String,
         operator: Option<&str>,
     ) -> Result<(), Failure> {
-        let analysed = read(path, &self.setup.options, false)?;
-        if let Some(reason) = analysed.no_drop() {
-            return Err(Failure::Input(reason));
-        }
         let sha256 = hash_of_file(path)?;
         let mut recorded = self.job.recorded.iter();
         if let Some(same) = recorded.find(|recorded| recorded.sha256 == sha256) {
@@ -347,6 +345,10 @@ impl Opened {
                 Plain::path(path),
                 same.number
             )));
+        }
+        let analysed = read(path, &self.setup.options, false)?;
+        if let Some(reason) = analysed.no_drop() {
+            return Err(Failure::Input(reason));
         }
         let (file, number) = self.job.numbered(&self.job.keep(path)?);
         let recorded = Recorded {
@@ -382,6 +384,16 @@ impl Opened {
             of_operator.extend(heights_m.filter_map(|rebound| rebound.height_m));
         }
         Ok(Precision::of(&levels.into_values().collect::<Vec<_>>()))
+    }
+
+    /// What the report states, with the checks of the method at the start and now.
+    fn notes(&self) -> Result<TestNotes, Failure> {
+        let checks = self.job.checks.iter().cloned();
+        Ok(TestNotes {
+            checks: checks.chain([method_check()?]).collect(),
+            of_operators: self.of_operators()?,
+            ..self.job.notes.test.clone()
+        })
     }
 
     /// The verdict on all that was recorded.
@@ -483,26 +495,16 @@ fn show(
         .transpose()?;
     let test = opened.test()?;
     if let Some(file) = report {
-        let files = opened
-            .job
-            .recorded
-            .iter()
-            .map(|recorded| (line(recorded), recorded.sha256.to_string()));
+        let recorded = opened.job.recorded.iter();
+        let files =
+            recorded.map(|recorded| (line(recorded, "\n    "), recorded.sha256.to_string()));
         let provenance = Provenance {
             files: files.collect(),
             ..provenance()
         };
         let notes = TestNotes {
-            checks: opened
-                .job
-                .checks
-                .iter()
-                .cloned()
-                .chain([method_check()?])
-                .collect(),
-            of_operators: opened.of_operators()?,
             one_page,
-            ..opened.job.notes.test.clone()
+            ..opened.notes()?
         };
         file.write(&test.page(&provenance, Some(&notes)))?;
     }
@@ -512,7 +514,7 @@ fn show(
                 .job
                 .recorded
                 .iter()
-                .map(|recorded| format!("{:3}  {}\n", recorded.number, line(recorded)));
+                .map(|recorded| format!("{:3}  {}\n", recorded.number, line(recorded, "  ")));
             let places = opened
                 .places()
                 .map(|place| opened.position(place, opened.job.drops(place)) + "\n");
@@ -528,9 +530,22 @@ fn show(
                 say(text_with("job-uncounted", &words));
             }
         }
-        Format::Json => print_json(&test.document())?,
+        Format::Json => print_json(&JobDocument {
+            verdict: test.document(),
+            test: opened.notes()?,
+            recordings: &opened.job.recorded,
+        })?,
     }
     test.status()
+}
+
+/// The verdict on a job, with what its report states.
+#[derive(Serialize)]
+struct JobDocument<'a> {
+    #[serde(flatten)]
+    verdict: VerdictDocument,
+    test: TestNotes,
+    recordings: &'a [Recorded],
 }
 
 /// The method on a synthesised recording: from the sound to the height of the first rebound.
@@ -555,8 +570,8 @@ fn method_check() -> Result<MethodCheck, Failure> {
     })
 }
 
-/// A recording in one line.
-fn line(recorded: &Recorded) -> String {
+/// A recording: its file, and what is known of it.
+fn line(recorded: &Recorded, between: &str) -> String {
     let place = place_name(recorded.place);
     let file = String::from(Plain::path(&recorded.file));
     let repeated = recorded
@@ -572,5 +587,5 @@ fn line(recorded: &Recorded) -> String {
     let about = [&recorded.given_as, &recorded.operator, &recorded.added];
     let about = about.into_iter().filter(|part| !part.is_empty());
     let about: Vec<&str> = about.map(String::as_str).collect();
-    format!("{file}  {place}  {}{repeated}", about.join("  "))
+    format!("{file}{between}{place}  {}{repeated}", about.join("  "))
 }

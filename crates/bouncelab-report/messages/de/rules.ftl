@@ -35,7 +35,7 @@ rule-surface-the-table = der Tisch
 rule-surface-smooth-granite = glatter Granit
 rule-surface-a-hard-surface = ein harter Untergrund
 
-rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = beide Höhen gelten als die der Oberkante des Balls
+rule-note-another-copy-of-the-rules-measures-the-rebound-at-the-top-of-the-ball-too = ein anderer Text der Regeln misst auch den Rückprall an der Oberkante des Balls
 rule-note-the-itf-recommends-these-values-it-does-not-demand-them = die ITF empfiehlt diese Werte, sie verlangt sie nicht
 rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = ein Verfahren für jeden Ball aus jeder Höhe; es gibt den Anteil an und setzt keine Grenze
 rule-note-the-law-says-about-23-cm-and-not-how-near = die Regel sagt etwa 23 cm, und nicht, wie genau

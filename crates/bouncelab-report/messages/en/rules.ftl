@@ -35,7 +35,7 @@ rule-surface-the-table = the table
 rule-surface-smooth-granite = smooth granite
 rule-surface-a-hard-surface = a hard surface
 
-rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = both heights are taken to be of the top of the ball
+rule-note-another-copy-of-the-rules-measures-the-rebound-at-the-top-of-the-ball-too = another copy of the rules measures the rebound at the top of the ball too
 rule-note-the-itf-recommends-these-values-it-does-not-demand-them = the ITF recommends these values, it does not demand them
 rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = a method for any ball from any height; it states the percentage and sets no limit
 rule-note-the-law-says-about-23-cm-and-not-how-near = the law says about 23 cm, and not how near

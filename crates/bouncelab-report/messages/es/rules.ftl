@@ -35,7 +35,7 @@ rule-surface-the-table = la mesa
 rule-surface-smooth-granite = granito liso
 rule-surface-a-hard-surface = una superficie dura
 
-rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = ambas alturas se toman como las de la parte superior de la pelota
+rule-note-another-copy-of-the-rules-measures-the-rebound-at-the-top-of-the-ball-too = otra copia de las reglas mide también el rebote en la parte superior de la pelota
 rule-note-the-itf-recommends-these-values-it-does-not-demand-them = la ITF recomienda estos valores, no los exige
 rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = un método para cualquier pelota y altura; da el porcentaje y no fija ningún límite
 rule-note-the-law-says-about-23-cm-and-not-how-near = la regla dice unos 23 cm, y no con qué aproximación

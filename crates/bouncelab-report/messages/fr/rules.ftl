@@ -35,7 +35,7 @@ rule-surface-the-table = la table
 rule-surface-smooth-granite = granit lisse
 rule-surface-a-hard-surface = une surface dure
 
-rule-note-both-heights-are-taken-to-be-of-the-top-of-the-ball = les deux hauteurs sont prises comme celles du haut de la balle
+rule-note-another-copy-of-the-rules-measures-the-rebound-at-the-top-of-the-ball-too = une autre copie des règles mesure aussi le rebond en haut de la balle
 rule-note-the-itf-recommends-these-values-it-does-not-demand-them = l’ITF recommande ces valeurs, elle ne les exige pas
 rule-note-a-method-for-any-ball-from-any-height-it-states-the-percentage-and-sets-no-limit = une méthode pour toute balle et toute hauteur ; elle donne le pourcentage et ne fixe aucune limite
 rule-note-the-law-says-about-23-cm-and-not-how-near = la règle dit environ 23 cm, sans dire à combien près

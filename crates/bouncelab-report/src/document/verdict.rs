@@ -1,8 +1,8 @@
 //! A verdict as data: the schema `bouncelab.verdict/4`.
 
 use bouncelab::rulebook::{
-    self, Decision, Formula, InconclusiveReason, Limits, MeanRebound, Point, Remark, Requirement,
-    Rule, Source,
+    self, Decision, Formula, InconclusiveReason, Limits, MeanRebound, Point, Precision, Remark,
+    Requirement, Rule, Source,
 };
 use bouncelab::settings::Setup;
 use bouncelab::{Diagnostic, Estimate};
@@ -32,6 +32,8 @@ pub struct VerdictDocument {
     reference_rebound_m: Option<Estimate>,
     share_of_reference: Option<Estimate>,
     unevenness: Option<Estimate>,
+    /// How drops repeat, within a place and over places.
+    precision: Option<Precision>,
     /// What the model answers, m or a share.
     model: Option<Estimate>,
     accepted: Option<Limits>,
@@ -147,6 +149,7 @@ impl VerdictDocument {
             reference_rebound_m: verdict.reference.as_ref().map(|mean| mean.height_m),
             share_of_reference: verdict.share,
             unevenness: verdict.unevenness,
+            precision: verdict.precision(),
             accepted: verdict.accepted,
             drag_free_m: verdict.drag_free_m(),
             model: verdict.model,

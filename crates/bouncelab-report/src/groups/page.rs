@@ -42,6 +42,7 @@ pub fn page(
         details: Vec::new(),
         unfolded: false,
         foot: String::new(),
+        compact: false,
         logo: None,
         language: Language::new(translator),
     }

@@ -37,7 +37,7 @@ impl Page {
                     link rel="icon" href="data:,";
                     style { (PreEscaped(STYLE)) (PreEscaped(self.foot_style())) }
                 }
-                body {
+                body .compact[self.compact] {
                     header {
                         @if let Some(logo) = &self.logo { img .logo src=(logo) alt=""; }
                         h1 { (self.title) }

@@ -29,6 +29,8 @@ pub struct Page {
     pub unfolded: bool,
     /// What stands at the foot of each printed page, beside its number.
     pub foot: String,
+    /// Whether it is to fit on one printed page.
+    pub compact: bool,
     /// A picture above the heading, as the address of its data (`data:image/png;base64,...`).
     pub logo: Option<String>,
     /// The language of all this.

@@ -63,6 +63,7 @@ pub fn of_recording(input: &ReportInput, provenance: &Provenance, translator: &T
         details,
         unfolded: false,
         foot: String::new(),
+        compact: false,
         logo: None,
         language: Language::new(translator),
     }

@@ -220,11 +220,11 @@ fn of_each(
 pub(super) struct Spread {
     pub(super) value: f64,
     /// Variance of what is the same for all drops.
-    shared: f64,
+    pub(super) shared: f64,
     /// Variance of the mean from what differs between them.
-    scatter: f64,
+    pub(super) scatter: f64,
     /// Degrees of freedom of the scatter.
-    degrees: f64,
+    pub(super) degrees: f64,
 }
 
 impl Spread {
@@ -288,11 +288,11 @@ impl Spread {
         }
     }
 
-    /// The same with the scatter of a mean of `count` drops in place of `now`.
-    pub(super) fn with_drops(&self, now: usize, count: usize) -> Self {
+    /// The same with the scatter of a mean of `count` drops in place of `now`, of which so many means are known.
+    pub(super) fn with_drops(&self, now: usize, count: usize, means: usize) -> Self {
         Self {
             scatter: self.scatter * now as f64 / count as f64,
-            degrees: count as f64 - 1.0,
+            degrees: count as f64 - means as f64,
             ..*self
         }
     }
@@ -389,7 +389,7 @@ mod tests {
     /// Four times the drops halve the scatter; what they share stays.
     #[test]
     fn what_is_shared_does_not_average_out() {
-        let more = ONE.with_drops(5, 20);
+        let more = ONE.with_drops(5, 20, 1);
         assert!((more.sd() - 13.0_f64.sqrt()).abs() < 1e-12);
     }
 

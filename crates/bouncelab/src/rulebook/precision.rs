@@ -7,6 +7,7 @@ use crate::stats;
 
 /// How results differ under equal conditions, and under conditions that differ in one factor, as the place or the operator.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Precision {
     /// How many levels of the factor there are.

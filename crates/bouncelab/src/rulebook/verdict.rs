@@ -2,10 +2,6 @@
 
 use std::fmt;
 
-use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, StandardNormal};
-
 use super::budget::{MeanRebound, Spread};
 use super::inconclusive::{self, InconclusiveReason, Remark};
 use super::precision::Precision;
@@ -98,7 +94,8 @@ impl fmt::Display for Outcome {
 pub struct Verdict {
     /// The decision.
     pub outcome: Outcome,
-    /// Probability that everything is within the limits, if there are limits and every drop has a height.
+    /// Least probability that everything is within the limits, if there are limits and every drop has a height. Where a
+    /// rule limits more than one value, as each drop or the differences of places, what may go wrong adds up.
     pub within: Option<f64>,
     /// The rebound by the procedure of the rule, mean over the drops.
     pub rebound: Option<MeanRebound>,
@@ -106,7 +103,7 @@ pub struct Verdict {
     pub reference: Option<MeanRebound>,
     /// The one over the other.
     pub share: Option<Estimate>,
-    /// How unlike the places are, in the way of the rule.
+    /// How unlike the places are, in the way of the rule: the largest difference found.
     pub unevenness: Option<Estimate>,
     /// What the model answers in its place, from all impacts: a height, m, or a share of the reference.
     pub model: Option<Estimate>,
@@ -138,13 +135,7 @@ impl Verdict {
 
     /// How drops repeat within a place and over places; `None` without two places, one of which has two drops.
     pub fn precision(&self) -> Option<Precision> {
-        let places = self
-            .drops
-            .iter()
-            .map(|drop| drop.place + 1)
-            .max()
-            .unwrap_or(0);
-        let mut levels = vec![Vec::new(); places];
+        let mut levels = vec![Vec::new(); places(&self.drops)];
         for drop in &self.drops {
             levels[drop.place].push(drop.height_m?);
         }
@@ -210,13 +201,14 @@ pub fn judge_rebounds(
     doubts.extend(of_drops(&drops));
     doubts.extend(of_drops(&reference_drops));
     let found = Found::new(rule, settings, fall_m, &drops, &reference_drops);
-    let within = found.within(rule, &drops);
-    let outcome = outcome(within, &doubts, &procedure, decision);
+    let chances = found.chances(rule, &drops, None);
+    let conforms = chances.as_ref().and_then(|all| all.decided(decision));
+    let outcome = outcome(conforms, &doubts, &procedure);
     let mut remarks = inconclusive::of_rule(rule);
     remarks.extend(other_ball(rule, &settings.ball));
     if outcome == Outcome::CannotDecide && doubts.is_empty() {
         doubts.push(InconclusiveReason::TooUncertain);
-        remarks.push(found.deciding_drops(rule, drops.len(), decision));
+        remarks.push(found.deciding_drops(rule, &drops, decision));
     }
     if (1..3).contains(&drops.len()) {
         remarks.push(Remark::FewDrops(drops.len()));
@@ -225,9 +217,9 @@ pub fn judge_rebounds(
     let share = found.share.map(|share| share.estimate());
     let mut verdict = Verdict {
         outcome,
-        within,
+        within: chances.map(|chances| chances.all()),
         share,
-        unevenness: Estimate::of_draws(found.unevenness.iter().copied()),
+        unevenness: found.unevenness(),
         accepted: found.accepted(rule, decision),
         rebound: found.rebound,
         reference: found.reference,
@@ -242,19 +234,45 @@ pub fn judge_rebounds(
     Ok(verdict)
 }
 
-fn outcome(
-    within: Option<f64>,
-    doubts: &[InconclusiveReason],
-    procedure: &[Check],
-    decision: Decision,
-) -> Outcome {
+fn outcome(conforms: Option<bool>, doubts: &[InconclusiveReason], procedure: &[Check]) -> Outcome {
     let shown = procedure.iter().all(|check| check.kept == Kept::Yes);
-    match within {
+    match conforms {
         _ if !doubts.is_empty() => Outcome::CannotDecide,
-        Some(within) if 1.0 - within <= decision.risk() && shown => Outcome::Conforms,
-        Some(within) if 1.0 - within <= decision.risk() => Outcome::ConformsAsFarAsShown,
-        Some(within) if within <= decision.risk() => Outcome::DoesNotConform,
-        _ => Outcome::CannotDecide,
+        Some(true) if shown => Outcome::Conforms,
+        Some(true) => Outcome::ConformsAsFarAsShown,
+        Some(false) => Outcome::DoesNotConform,
+        None => Outcome::CannotDecide,
+    }
+}
+
+/// The probabilities of being within, of all that a rule limits: of the mean or of each drop, and of the differences of
+/// places.
+struct Chances([Vec<f64>; 2]);
+
+impl Chances {
+    /// Least probability that all is within: whatever may go wrong cannot do more than add up.
+    fn all(&self) -> f64 {
+        let outside: f64 = self.0.iter().flatten().map(|within| 1.0 - within).sum();
+        (1.0 - outside).max(0.0)
+    }
+
+    /// Whether all is within, if the decision rule allows to say so.
+    fn decided(&self, decision: Decision) -> Option<bool> {
+        let risk = match decision {
+            Decision::Guarded { risk } => risk,
+            Decision::Simple => return Some(self.0.iter().flatten().all(|&within| within >= 0.5)),
+        };
+        if 1.0 - self.all() <= risk {
+            return Some(true);
+        }
+        // Of many that are within, one may seem to be outside by chance: each has its part of the risk (Bonferroni).
+        let groups = self.0.iter().filter(|group| !group.is_empty());
+        let count = groups.clone().count() as f64;
+        let outside = |group: &Vec<f64>| {
+            let least = group.iter().copied().fold(1.0, f64::min);
+            least * group.len() as f64 * count <= risk
+        };
+        groups.clone().any(outside).then_some(false)
     }
 }
 
@@ -271,8 +289,8 @@ struct Found {
     rebound: Option<MeanRebound>,
     reference: Option<MeanRebound>,
     share: Option<Spread>,
-    /// Draws of how unlike the places are; empty if the rule does not ask.
-    unevenness: Vec<f64>,
+    /// The differences of places that the rule limits; empty if it does not.
+    differences: Vec<Spread>,
 }
 
 impl Found {
@@ -289,16 +307,33 @@ impl Found {
             .as_ref()
             .zip(reference.as_ref())
             .map(|(rebound, reference)| rebound.over(reference));
-        let unevenness = match (rule.evenness, &rebound) {
-            (Some(even), Some(_)) => unevenness(even, drops, reference.as_ref(), settings),
-            _ => Vec::new(),
-        };
+        let differences = rule.evenness.map_or_else(Vec::new, |even| {
+            differences(even, drops, reference.as_ref(), settings)
+        });
         Self {
             rebound,
             reference,
             share,
-            unevenness,
+            differences,
         }
+    }
+
+    /// The largest difference of places, which is not below 0.
+    fn unevenness(&self) -> Option<Estimate> {
+        let size = |spread: &Spread| spread.value.abs();
+        let all = self.differences.iter();
+        let largest = all.max_by(|one, other| size(one).total_cmp(&size(other)))?;
+        let found = Spread {
+            value: size(largest),
+            ..*largest
+        };
+        let not_below = |interval: [f64; 2]| interval.map(|end| end.max(0.0));
+        let found = found.estimate();
+        Some(Estimate {
+            interval68: not_below(found.interval68),
+            interval95: not_below(found.interval95),
+            ..found
+        })
     }
 
     /// The value that the rule limits.
@@ -310,31 +345,32 @@ impl Found {
         }
     }
 
-    /// Probability that all is within the limits. Whatever may go wrong cannot do more than add up.
-    fn within(&self, rule: &Rule, drops: &[Rebound]) -> Option<f64> {
+    /// The probabilities that all that the rule limits is within, by these drops or by so many with the same mean and
+    /// scatter; `None` without a value or limits.
+    fn chances(&self, rule: &Rule, drops: &[Rebound], count: Option<usize>) -> Option<Chances> {
         let limits = rule.limits();
         let value = self.limited(rule)?;
-        if limits.is_open() || (rule.evenness.is_some() && self.unevenness.is_empty()) {
+        if limits.is_open() || (rule.evenness.is_some() && self.differences.is_empty()) {
             return None;
         }
-        let outside = if rule.averaging == Averaging::Each {
-            let each = drops
-                .iter()
-                .filter_map(|drop| Some(value.of_drop(drop.height_m?, drop.times_sd_m)));
-            each.map(|drop| 1.0 - drop.within(&limits)).sum()
-        } else {
-            1.0 - value.within(&limits)
+        let scaled = |spread: Spread, levels: usize| {
+            count.map_or(spread, |count| {
+                spread.with_drops(drops.len(), count, levels)
+            })
         };
-        let uneven = rule.evenness.map_or(0.0, |even| {
-            let most = even.most();
-            let beyond = self
-                .unevenness
-                .iter()
-                .filter(|&&found| found > most)
-                .count();
-            (beyond as f64 + 1.0) / (self.unevenness.len() as f64 + 2.0)
-        });
-        Some((1.0 - outside - uneven).max(0.0))
+        let values = if rule.averaging == Averaging::Each {
+            let each = drops.iter();
+            each.filter_map(|drop| Some(value.of_drop(drop.height_m?, drop.times_sd_m)))
+                .map(|drop| drop.within(&limits))
+                .collect()
+        } else {
+            vec![scaled(value, 1).within(&limits)]
+        };
+        let most = rule.evenness.map_or(0.0, Evenness::most);
+        let alike = Limits::between(-most, most);
+        let differences = self.differences.iter();
+        let differences = differences.map(|&spread| scaled(spread, places(drops)).within(&alike));
+        Some(Chances([values, differences.collect()]))
     }
 
     /// The limits less the guard bands.
@@ -352,18 +388,21 @@ impl Found {
         some.then_some(accepted)
     }
 
-    /// How many drops with this mean and scatter would decide.
-    fn deciding_drops(&self, rule: &Rule, now: usize, decision: Decision) -> Remark {
+    /// How many drops with this mean and scatter would decide, the same number in each place.
+    fn deciding_drops(&self, rule: &Rule, drops: &[Rebound], decision: Decision) -> Remark {
         /// Nobody drops a ball more often for one verdict.
         const MOST: usize = 200;
-        let limits = rule.limits();
-        let decides = |count: &usize| {
-            let within = self
-                .limited(rule)
-                .map(|value| value.with_drops(now, *count).within(&limits));
-            within.is_some_and(|within| within.min(1.0 - within) <= decision.risk())
+        let places = if rule.compares_places() {
+            places(drops)
+        } else {
+            1
         };
-        (2..=MOST)
+        let decides = |count: &usize| {
+            let chances = self.chances(rule, drops, Some(*count));
+            chances.is_some_and(|chances| chances.decided(decision).is_some())
+        };
+        (2 * places..=MOST)
+            .step_by(places)
             .find(decides)
             .map_or(Remark::NoDropsDecide, Remark::DecidingDrops)
     }
@@ -371,11 +410,9 @@ impl Found {
 
 /// The answer of the model in place of the value that the rule limits.
 fn model(rule: &Rule, drops: &[Rebound], reference: &[Rebound]) -> Option<Spread> {
+    // A drop whose inference has no answer is left out.
     let mean = |drops: &[Rebound]| {
-        let predicted: Vec<Estimate> = drops
-            .iter()
-            .map(|drop| drop.predicted_m)
-            .collect::<Option<_>>()?;
+        let predicted: Vec<Estimate> = drops.iter().filter_map(|drop| drop.predicted_m).collect();
         (!predicted.is_empty()).then(|| Spread::of_estimates(&predicted))
     };
     let surface = mean(drops)?;
@@ -397,84 +434,81 @@ impl Verdict {
     }
 }
 
-/// Draws of how unlike the places are. The mean of each is uncertain by the scatter of drops within places, and at least by
-/// the errors of their times; what all places share cancels.
-fn unevenness(
+/// How many places there are.
+fn places(drops: &[Rebound]) -> usize {
+    drops.iter().map(|drop| drop.place + 1).max().unwrap_or(0)
+}
+
+/// The differences of places that a rule limits. The mean of each place is uncertain by the scatter of drops within places, and
+/// at least by the errors of their times; what all places share cancels.
+fn differences(
     even: Evenness,
     drops: &[Rebound],
     reference: Option<&MeanRebound>,
     settings: &Options,
-) -> Vec<f64> {
-    const DRAWS: usize = 4000;
-    /// The seed of the draws.
-    const SEED: u64 = 1;
-    let last = drops.iter().map(|drop| drop.place).max().unwrap_or(0);
-    let places: Vec<Vec<&Rebound>> = (0..=last)
-        .map(|place| drops.iter().filter(|drop| drop.place == place).collect())
-        .filter(|drops: &Vec<&Rebound>| !drops.is_empty())
-        .collect();
-    if places.len() < 2 {
+) -> Vec<Spread> {
+    let mut heights_m = vec![Vec::new(); places(drops)];
+    let mut times_m = vec![0.0_f64; places(drops)];
+    for drop in drops {
+        heights_m[drop.place].extend(drop.height_m);
+        times_m[drop.place] = times_m[drop.place].max(drop.times_sd_m);
+    }
+    if heights_m.len() < 2 || heights_m.iter().any(Vec::is_empty) {
         return Vec::new();
     }
-    let means_m: Vec<f64> = places.iter().map(|place| mean_of(place)).collect();
-    let squares: f64 = places
-        .iter()
-        .zip(&means_m)
-        .flat_map(|(place, mean_m)| {
-            place
-                .iter()
-                .map(move |drop| (drop.height_m.unwrap_or(*mean_m) - mean_m).powi(2))
-        })
+    let means_m: Vec<f64> = heights_m.iter().map(|place| stats::mean(place)).collect();
+    let mean_m = stats::mean(&means_m);
+    let of_places = heights_m.iter();
+    let squares: f64 = of_places
+        .map(|place| place.len() as f64 * stats::sd(place).powi(2))
         .sum();
-    let freedom = drops.len() - places.len();
-    let scatter_m = if freedom == 0 {
-        // One drop a place shows no scatter: that of the restitution is assumed.
-        2.0 * settings.priors.restitution_scatter * stats::mean(&means_m)
+    let freedom = drops.len() as f64 - means_m.len() as f64;
+    let (scatter, degrees) = if freedom > 0.0 {
+        (squares / freedom, freedom)
     } else {
-        (squares / freedom as f64).sqrt()
+        // One drop a place shows no scatter: that of the restitution is assumed.
+        let assumed_m = 2.0 * settings.priors.restitution_scatter * mean_m;
+        (assumed_m.powi(2), f64::INFINITY)
     };
-    let sds_m: Vec<f64> = places
-        .iter()
-        .map(|place| {
-            let times_m = place.iter().map(|drop| drop.times_sd_m).fold(0.0, f64::max);
-            scatter_m.max(times_m) / (place.len() as f64).sqrt()
-        })
+    let of_places = heights_m.iter().zip(&times_m);
+    let variances: Vec<f64> = of_places
+        .map(|(place, times_m)| scatter.max(times_m.powi(2)) / place.len() as f64)
         .collect();
-    let reference_m = reference.map_or(f64::NAN, |reference| reference.height_m.value);
-    let mut chance = ChaCha8Rng::seed_from_u64(SEED);
-    let draws = (0..DRAWS).map(|_| {
-        let drawn: Vec<f64> = means_m
-            .iter()
-            .zip(&sds_m)
-            .map(|(mean_m, sd_m)| {
-                let error: f64 = StandardNormal.sample(&mut chance);
-                mean_m + sd_m * error
-            })
-            .collect();
-        match even {
-            Evenness::WithinOfMean(_) => farthest_from_mean(&drawn),
-            Evenness::Range(_) => range(&drawn) / reference_m,
+    let spread = |value, shared, scatter| Spread {
+        value,
+        shared,
+        scatter,
+        degrees,
+    };
+    let count = means_m.len() as f64;
+    let every = 0..means_m.len();
+    match even {
+        Evenness::WithinOfMean(_) => {
+            // Of m_i - m, of which m contains m_i: (1 - 1/k)² v_i and v_j/k² of the others.
+            let all: f64 = variances.iter().sum();
+            every
+                .map(|one| {
+                    let own = variances[one];
+                    let scatter = (1.0 - 2.0 / count) * own + all / count.powi(2);
+                    spread(means_m[one] / mean_m - 1.0, 0.0, scatter / mean_m.powi(2))
+                })
+                .collect()
         }
-    });
-    draws.filter(|found| found.is_finite()).collect()
-}
-
-fn mean_of(drops: &[&Rebound]) -> f64 {
-    let heights_m: Vec<f64> = drops.iter().filter_map(|drop| drop.height_m).collect();
-    stats::mean(&heights_m)
-}
-
-fn farthest_from_mean(places: &[f64]) -> f64 {
-    let mean = stats::mean(places);
-    places
-        .iter()
-        .map(|place| (place / mean - 1.0).abs())
-        .fold(0.0, f64::max)
-}
-
-fn range(places: &[f64]) -> f64 {
-    let greatest = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    greatest - places.iter().copied().fold(f64::INFINITY, f64::min)
+        Evenness::Range(_) => {
+            let Some(reference) = reference.map(|reference| reference.height_m) else {
+                return Vec::new();
+            };
+            let pairs = every.flat_map(|one| (0..one).map(move |other| (one, other)));
+            pairs
+                .map(|(one, other)| {
+                    let apart = (means_m[one] - means_m[other]) / reference.value;
+                    let shared = (apart * reference.sd / reference.value).powi(2);
+                    let scatter = (variances[one] + variances[other]) / reference.value.powi(2);
+                    spread(apart, shared, scatter)
+                })
+                .collect()
+        }
+    }
 }
 
 fn doubts(rule: &Rule, fall_m: Option<f64>, procedure: &[Check]) -> Vec<InconclusiveReason> {

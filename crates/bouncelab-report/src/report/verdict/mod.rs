@@ -66,6 +66,7 @@ pub fn of_verdict(
         details,
         unfolded: false,
         foot,
+        compact: one_page,
         logo: notes.and_then(|notes| notes.logo.clone()),
         language: Language::new(translator),
     }

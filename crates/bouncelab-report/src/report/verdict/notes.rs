@@ -9,7 +9,7 @@ use crate::quantity::{Quantity, Unit};
 use crate::report::page::{Block, Section};
 
 /// The notes of a test; what is empty is stated as not given, since a report must not hide it.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct TestNotes {
     /// What the report is called, as the place or the ball that is tested.
@@ -24,6 +24,8 @@ pub struct TestNotes {
     pub item: String,
     /// Brand, batch and number of the sample, and how it was sampled.
     pub sample: String,
+    /// What the client stated of it, which the laboratory did not check.
+    pub from_client: String,
     /// When the item was received.
     pub received: String,
     /// When it was tested.
@@ -34,6 +36,8 @@ pub struct TestNotes {
     pub operator: String,
     /// Deviations from the method, additions and exclusions.
     pub deviations: String,
+    /// Results of other laboratories, and whose they are.
+    pub external: String,
     /// Temperature, humidity and whatever else matters, of each place.
     pub conditions: String,
     /// The reference, where the rule compares with one.
@@ -43,10 +47,10 @@ pub struct TestNotes {
     /// Name and function of who authorises the report.
     pub authorised: String,
     /// The checks of the method, made by the program.
-    #[serde(skip)]
+    #[serde(skip_deserializing)]
     pub checks: Vec<MethodCheck>,
     /// The precision over operators, where several worked in one place.
-    #[serde(skip)]
+    #[serde(skip_deserializing)]
     pub of_operators: Option<Precision>,
     /// The logo of the laboratory, as the address of its data (`data:image/png;base64,...`).
     #[serde(skip)]
@@ -114,12 +118,13 @@ impl TestNotes {
         translator: &Translator,
     ) -> Section {
         let equipment = self.equipment.join("; ");
-        let facts: [(&str, &str); 15] = [
+        let facts: [(&str, &str); 17] = [
             ("number", &self.number),
             ("laboratory", &self.laboratory),
             ("client", &self.client),
             ("item", &self.item),
             ("sample", &self.sample),
+            ("from-client", &self.from_client),
             ("received", &self.received),
             ("tested", &self.tested),
             ("issued", issued.unwrap_or_default()),
@@ -127,6 +132,7 @@ impl TestNotes {
             ("operator", &self.operator),
             ("method", method),
             ("deviations", &self.deviations),
+            ("external", &self.external),
             ("conditions", &self.conditions),
             ("reference", &self.reference),
             ("equipment", &equipment),
