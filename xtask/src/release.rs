@@ -634,6 +634,7 @@ mod tests {
     fn every_file_states_the_same_version() {
         for (file, line, count) in [
             ("CITATION.cff", format!("\nversion: {VERSION}\n"), 1),
+            ("codemeta.json", format!("\"version\": \"{VERSION}\""), 1),
             (
                 "Cargo.toml",
                 format!("{{ version = \"{VERSION}\", path = "),
