@@ -11,18 +11,20 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use bouncelab::Impact;
 use bouncelab::analysis::{
     self, Drop, DropTask, Options, Recording, analyze_impacts, impacts_of_times,
 };
 use bouncelab::ball;
 use bouncelab::drag::{DragLaw, DragTable};
-use bouncelab::inference::{ApexTarget, Measured, Posterior, UNKNOWN};
+use bouncelab::inference::{ApexTarget, Measured, UNKNOWN};
 use bouncelab::restitution::LawKind;
-use bouncelab::{Diagnostic, Estimate, Impact};
 use bouncelab_audio::Input;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
+use serde::Serialize;
+use serde_json::Value;
 
 use crate::scenario::{self, MAX_IMPACTS, Scenario};
 use crate::{Result, seeded};
@@ -114,15 +116,24 @@ impl Numbers {
         self.add(name, count as f64);
     }
 
-    fn estimate(&mut self, name: &str, estimate: impl Into<Option<Estimate>>) {
-        let Some(estimate) = estimate.into() else {
-            return;
-        };
-        self.add(format!("{name} value"), estimate.value);
-        self.add(format!("{name} sd"), estimate.sd);
-        for (interval, [low, high]) in [("68", estimate.interval68), ("95", estimate.interval95)] {
-            self.add(format!("{name} {interval} low"), low);
-            self.add(format!("{name} {interval} high"), high);
+    /// All numbers in the JSON of a result, each named by its path; a text, as the code of a diagnostic or the name of a
+    /// law, stands in the name of a 1.
+    fn json(&mut self, path: &str, value: &Value) {
+        match value {
+            Value::Null => {}
+            Value::Bool(is_so) => self.count(path, usize::from(*is_so)),
+            Value::Number(number) => self.add(path, number.as_f64()),
+            Value::String(text) => self.count(format!("{path} {text}"), 1),
+            Value::Array(values) => {
+                for (place, value) in values.iter().enumerate() {
+                    self.json(&format!("{path} {place}"), value);
+                }
+            }
+            Value::Object(fields) => {
+                for (field, value) in fields {
+                    self.json(format!("{path} {field}").trim_start(), value);
+                }
+            }
         }
     }
 
@@ -135,168 +146,31 @@ impl Numbers {
         self.add(format!("{name} sum"), weighted.sum::<f64>());
     }
 
-    /// Which diagnostics there are, in their order.
-    fn diagnostics<'a>(
-        &mut self,
-        name: &str,
-        diagnostics: impl IntoIterator<Item = &'a Diagnostic>,
-    ) {
-        for (place, diagnostic) in diagnostics.into_iter().enumerate() {
-            self.count(format!("{name} {place} {}", diagnostic.code), 1);
-        }
-    }
-
-    fn drop(&mut self, drop: &Drop) {
-        self.add("probability", drop.probability);
-        for (place, impact) in drop.impacts.iter().enumerate() {
-            self.count(format!("impact {place} number"), impact.number);
-            self.add(format!("impact {place} time"), impact.time_s);
-            self.add(format!("impact {place} time sd"), impact.time_sd_s);
-            self.add(format!("impact {place} probability"), impact.probability);
-            self.add(format!("impact {place} level"), impact.level_db);
-        }
-        for flight in &drop.flights {
-            let name = format!("flight {}", flight.number);
-            self.add(format!("{name} time"), flight.flight_time_s);
-            self.count(format!("{name} in fit"), usize::from(flight.in_fit));
-            self.add(
-                format!("{name} drag-free height"),
-                flight.drag_free_height_m,
-            );
-            self.add(format!("{name} apex"), flight.apex_m);
-            self.add(format!("{name} apex sd"), flight.apex_sd_m);
-            self.add(format!("{name} launch speed"), flight.launch_speed_m_s);
-        }
+    /// What the JSON of a drop leaves out.
+    fn not_in_json(&mut self, drop: &Drop) {
         if let Ok(fit) = &drop.log_linear_fit {
-            self.count("fit flights", fit.flights);
-            self.estimate("fit slope", fit.slope);
-            self.estimate("fit intercept", fit.intercept);
-            self.add("fit r squared", fit.r_squared);
-            self.estimate("fit restitution", fit.restitution);
-            self.estimate("fit drop height", fit.drop_height_m);
-            self.estimate("fit energy kept", fit.energy_kept);
-            self.estimate("fit total time", fit.total_time_s);
-            self.estimate("fit total path", fit.total_path_m);
             self.sum("fit residuals", &fit.residuals);
         }
         if let Ok(per_impact) = &drop.per_impact {
-            self.estimate("per impact restitution", per_impact.restitution);
-            for impact in &per_impact.impacts {
-                let name = format!("per impact {}", impact.number);
-                self.add(format!("{name} speed"), impact.impact_speed_m_s);
-                self.estimate(&format!("{name} restitution"), impact.restitution);
-                self.add(
-                    format!("{name} flight time ratio"),
-                    impact.flight_time_ratio,
-                );
-                self.sum(&format!("{name} gradient"), &impact.log_gradient_per_s);
-            }
+            let gradients = per_impact.impacts.iter().map(|it| it.log_gradient_per_s);
+            let gradients: Vec<f64> = gradients.flatten().collect();
+            self.sum("gradients of each impact", &gradients);
         }
-        match &drop.posterior {
-            Ok(posterior) => self.posterior(posterior),
-            Err(_) => self.count("no posterior", 1),
-        }
-        for ball in &drop.balls {
-            let name = format!("ball {}", ball.ball);
-            self.add(format!("{name} log bayes factor"), ball.log_bayes_factor);
-            self.estimate(&format!("{name} restitution"), ball.restitution);
-            self.estimate(&format!("{name} drop height"), ball.drop_height_m);
-        }
-        self.diagnostics("diagnostic", &drop.diagnostics);
-    }
-
-    fn posterior(&mut self, posterior: &Posterior) {
-        self.add("at speed", posterior.at_speed_m_s);
-        self.estimate("restitution", posterior.restitution);
-        self.add("first speed", posterior.first_speed_m_s);
-        self.estimate("energy kept", posterior.energy_kept);
-        self.add("round speed", posterior.round_speed_m_s);
-        self.estimate("round speed restitution", posterior.round_speed_restitution);
-        self.estimate("restitution slope", posterior.restitution_slope);
-        self.estimate("drop height", posterior.drop_height_m);
-        self.estimate("drag coefficient", posterior.drag_coefficient);
-        self.add("drag reynolds", posterior.drag_reynolds);
-        if let Some(prior) = posterior.drag_coefficient_prior {
-            self.add("drag coefficient prior value", prior.value);
-            self.add("drag coefficient prior sd", prior.sd);
-        }
-        self.estimate("terminal speed", posterior.terminal_speed_m_s);
-        self.estimate("gravity", posterior.gravity_m_s2);
-        self.estimate("restitution scatter", posterior.restitution_scatter);
-        self.estimate("timing", posterior.timing_s);
-        self.estimate("contact time", posterior.contact_time_s);
-        self.estimate("total time", posterior.total_time_s);
-        self.estimate("total path", posterior.total_path_m);
-        for (count, share) in posterior.missed_first_impacts.iter().flatten().enumerate() {
-            self.add(format!("missed first impacts {count}"), *share);
-        }
-        for prediction in &posterior.predictions {
-            let name = format!("prediction {}", prediction.target.bounce);
-            self.estimate(&name, prediction.drop_height_m);
-        }
-        for impact in &posterior.impacts {
-            let name = format!("posterior impact {}", impact.number);
-            self.estimate(&format!("{name} speed"), impact.impact_speed_m_s);
-            self.estimate(&format!("{name} restitution"), impact.restitution);
-            self.estimate(&format!("{name} apex"), impact.apex_m);
-            self.estimate(&format!("{name} to surface"), impact.lost_to_surface_j);
-            self.estimate(&format!("{name} to air"), impact.lost_to_air_j);
-            self.add(format!("{name} residual"), impact.standardised_residual);
-            self.add(format!("{name} weight"), impact.weight);
-        }
-        for model in &posterior.models {
-            let name = format!(
-                "model {} {}",
-                model.restitution_law,
-                model.ball.unwrap_or_default()
-            );
-            self.add(format!("{name} probability"), model.probability);
-            self.add(format!("{name} log evidence"), model.log_odds);
-            self.estimate(&format!("{name} restitution"), model.restitution);
-            self.estimate(&format!("{name} drop height"), model.drop_height_m);
-        }
+        let Ok(posterior) = &drop.posterior else {
+            return;
+        };
         self.add("log evidence", posterior.log_evidence);
-        for contraction in &posterior.prior_contraction {
-            let name = format!("remaining {}", contraction.unknown.name());
-            self.add(name, contraction.remaining);
-        }
-        let correlations = &posterior.correlations;
-        for (quantity, row) in correlations.quantities.iter().zip(&correlations.matrix) {
-            for (other, value) in correlations.quantities.iter().zip(row) {
-                self.add(format!("correlation {quantity} {other}"), *value);
-            }
-        }
-        let budgets = [
-            ("restitution", &posterior.budget.restitution),
-            ("drop height", &posterior.budget.drop_height_m),
-        ];
-        for (quantity, budget) in budgets {
-            for share in budget {
-                let name = format!("budget {quantity} {}", share.source);
-                self.add(format!("{name} sd"), share.sd);
-                self.add(format!("{name} share"), share.share);
-            }
-        }
         self.sum("draws restitution", &posterior.draws.restitution);
         self.sum("draws drag coefficient", &posterior.draws.drag_coefficient);
         self.sum("draws drop height", &posterior.draws.drop_height_m);
         self.sum("draws total time", &posterior.draws.total_time_s);
-        self.add("effective draws", posterior.sampling.effective_draws);
-        self.add("pareto shape", posterior.sampling.pareto_shape);
-        for (place, point) in posterior.band.iter().enumerate() {
-            self.add(format!("band {place} speed"), point.speed_m_s);
-            self.estimate(&format!("band {place} restitution"), point.restitution);
-        }
-        let [slowest, fastest] = posterior.fitted_speeds_m_s;
-        self.add("slowest fitted speed", slowest);
-        self.add("fastest fitted speed", fastest);
+        self.sum("fitted speeds", &posterior.fitted_speeds_m_s);
         let readings = posterior
             .evidence()
             .map_or_else(Vec::new, |evidence| evidence.readings);
         let values: Vec<f64> = readings.iter().map(|reading| reading.value).collect();
         self.sum("readings of the curve", &values);
         self.sum("rebounds", &posterior.rebounds_m(0.305));
-        self.diagnostics("posterior diagnostic", &posterior.diagnostics);
     }
 }
 
@@ -373,8 +247,14 @@ fn simulated(index: usize) -> (String, Vec<Impact>, Options) {
 fn numbers_of_drop(index: usize) -> Vec<Number> {
     let (scenario, impacts, options) = simulated(index);
     let mut numbers = Numbers::of(format!("drop {index:04} {scenario}"));
-    numbers.drop(&analyze_impacts(impacts, &options));
+    let drop = analyze_impacts(impacts, &options);
+    numbers.json("", &json(&drop));
+    numbers.not_in_json(&drop);
     numbers.list
+}
+
+fn json(result: &impl Serialize) -> Value {
+    serde_json::to_value(result).expect("results are plain data")
 }
 
 /// The numbers of the first simulated drops, each drop with its own.
@@ -401,17 +281,10 @@ fn numbers_of_file(path: &Path) -> Vec<Number> {
         numbers.count("not read", 1);
         return numbers.list;
     };
-    numbers.count("drops", recording.drops.len());
-    if let Some(band) = recording.strongest_band {
-        numbers.add("strongest band low", band.low_hz);
-        numbers.add("strongest band high", band.high_hz);
-        numbers.add("strongest band level", band.above_background_db);
-    }
-    numbers.diagnostics("no drop", recording.no_drop.iter());
-    numbers.diagnostics("diagnostic", &recording.diagnostics);
+    numbers.json("", &json(&recording));
     for (place, drop) in recording.drops.iter().enumerate() {
         let mut of_drop = Numbers::of(format!("{name} drop {place}"));
-        of_drop.drop(drop);
+        of_drop.not_in_json(drop);
         numbers.list.append(&mut of_drop.list);
     }
     numbers.list
@@ -426,22 +299,22 @@ fn analyzed(path: &Path) -> Result<Recording> {
 
 /// The numbers of the stored copy.
 const STORED: [&str; 16] = [
-    "restitution value",
-    "restitution sd",
-    "restitution 95 low",
-    "restitution 95 high",
-    "drop height value",
-    "drop height sd",
-    "drop height 95 low",
-    "drop height 95 high",
-    "drag coefficient value",
-    "drag coefficient sd",
-    "restitution scatter value",
-    "timing value",
-    "total time value",
+    "posterior restitution value",
+    "posterior restitution sd",
+    "posterior restitution interval95 0",
+    "posterior restitution interval95 1",
+    "posterior drop_height_m value",
+    "posterior drop_height_m sd",
+    "posterior drop_height_m interval95 0",
+    "posterior drop_height_m interval95 1",
+    "posterior drag_coefficient value",
+    "posterior drag_coefficient sd",
+    "posterior restitution_scatter value",
+    "posterior timing_s value",
+    "posterior total_time_s value",
     "log evidence",
-    "per impact restitution value",
-    "fit restitution value",
+    "per_impact restitution value",
+    "log_linear_fit restitution value",
 ];
 
 /// A table of a few numbers of each drop, as CSV, which the tests compare with another run; a number that a drop does
