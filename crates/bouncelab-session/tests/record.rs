@@ -94,7 +94,10 @@ fn another_setting_is_another_key() {
         options().without_inference(),
         options().with_gravity_m_s2(9.81),
         options().with_drag("constant:0.45".parse().unwrap()),
-        options().with_priors(priors),
+        Options {
+            priors,
+            ..options()
+        },
     ];
     for other in others {
         assert_ne!(settings(other.clone()), settings(options()), "{other:?}");

@@ -66,15 +66,6 @@ impl Impact {
             ..self
         }
     }
-
-    /// The same with the time before it that was quiet, in seconds.
-    #[must_use]
-    pub const fn with_quiet_before_s(self, quiet_before_s: f64) -> Self {
-        Self {
-            quiet_before_s: Some(quiet_before_s),
-            ..self
-        }
-    }
 }
 
 /// One impact as a source of sound.

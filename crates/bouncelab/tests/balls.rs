@@ -40,9 +40,10 @@ fn compared(fell: &Preset, height_m: f64, restitution: f64, stated: &Preset) -> 
         draws: 500,
         ..SamplerConfig::default()
     };
-    let options = Options::new(stated)
-        .with_ball_comparison()
-        .with_sampler(sampler);
+    let options = Options {
+        compares_balls: true,
+        ..Options::new(stated).with_sampler(sampler)
+    };
     Ok(analyze_impacts(impacts.collect(), &options))
 }
 

@@ -31,26 +31,6 @@ pub struct BallComparison {
     pub drop_height_m: Estimate,
 }
 
-impl Options {
-    /// The same with a comparison of the preset balls, which takes as long as an inference of each.
-    ///
-    /// ```
-    /// use bouncelab::{Options, analyze_times, demo};
-    ///
-    /// let times_s: Vec<f64> = demo::history()?.impact_events().map(|strike| strike.time_s).collect();
-    /// let options = Options::default().with_ball_comparison();
-    /// let balls = &analyze_times(&times_s, &options).drops[0].balls;
-    /// // Balls that touch the surface for longer than the last flights are not among them.
-    /// assert!(balls.iter().any(|compared| compared.ball == "table-tennis-40"));
-    /// # Ok::<(), bouncelab::Error>(())
-    /// ```
-    #[must_use]
-    pub fn with_ball_comparison(mut self) -> Self {
-        self.compares_balls = true;
-        self
-    }
-}
-
 /// Logarithm of a Bayes factor for a model that is not exactly true: J. W. Miller and D. B. Dunson, "Robust
 /// Bayesian inference via coarsening", Journal of the American Statistical Association 114, 1113 (2019); their power of the likelihood, applied to the evidence.
 ///

@@ -83,7 +83,7 @@ pub struct Options {
     pub detection: DetectionOptions,
     /// Impacts excluded and included by hand.
     pub edits: Edits,
-    /// Whether to compare the preset balls.
+    /// Whether to compare the preset balls, which takes as long as an inference of each.
     pub compares_balls: bool,
 }
 
@@ -187,13 +187,6 @@ impl Options {
         self
     }
 
-    /// The same with other priors.
-    #[must_use]
-    pub fn with_priors(mut self, priors: Priors) -> Self {
-        self.priors = priors;
-        self
-    }
-
     /// The same with another number of draws or seed.
     #[must_use]
     pub fn with_sampler(mut self, sampler: SamplerConfig) -> Self {
@@ -202,41 +195,6 @@ impl Options {
             sampler,
             ..inference
         });
-        self
-    }
-
-    /// The same, looking for impacts elsewhere.
-    ///
-    /// ```
-    /// use bouncelab::detection::DetectionOptions;
-    /// use bouncelab::{Options, analyze, demo};
-    ///
-    /// let sound = demo::sound(&demo::history()?, 1)?;
-    /// let bright = DetectionOptions { band_hz: Some(4_000.0..24_000.0), ..DetectionOptions::default() };
-    /// let options = Options::default().without_inference().with_detection(bright);
-    /// assert_eq!(analyze(&sound.samples, sound.sample_rate_hz, &options)?.drops.len(), 1);
-    /// # Ok::<(), bouncelab::Error>(())
-    /// ```
-    #[must_use]
-    pub fn with_detection(mut self, detection: DetectionOptions) -> Self {
-        self.detection = detection;
-        self
-    }
-
-    /// The same with impacts excluded and included by hand.
-    ///
-    /// ```
-    /// use bouncelab::analysis::Edits;
-    /// use bouncelab::{Options, analyze_times};
-    ///
-    /// let edits = Edits { exclude_s: vec![0.86], ..Edits::default() };
-    /// let options = Options::default().without_inference().with_edits(edits);
-    /// let drop = &analyze_times(&[0.0, 0.46, 0.86, 0.888, 1.285], &options).drops[0];
-    /// assert_eq!(drop.impacts.len(), 4);
-    /// ```
-    #[must_use]
-    pub fn with_edits(mut self, edits: Edits) -> Self {
-        self.edits = edits;
         self
     }
 

@@ -130,7 +130,7 @@ pub struct Drop {
     #[cfg_attr(feature = "typescript", ts(as = "Option<Posterior>"))]
     pub posterior: Result<Posterior>,
     /// The results for each preset ball, the best first; empty unless
-    /// [requested](super::Options::with_ball_comparison).
+    /// [requested](super::Options::compares_balls).
     pub balls: Vec<BallComparison>,
     /// Diagnostics of the drop.
     pub diagnostics: Vec<Diagnostic>,
