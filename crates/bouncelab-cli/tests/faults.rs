@@ -18,103 +18,50 @@ use tempfile::TempDir;
 
 /// A command that reads from the folder `in` and writes into the folder `out`.
 struct Case {
-    arguments: &'static [&'static str],
+    arguments: &'static str,
     /// What it writes while it runs; the rest appears whole or not at all.
     grows: Option<&'static str>,
 }
 
 const CASES: [Case; 10] = [
     Case {
-        arguments: &[
-            "synth",
-            "out/drop.wav",
-            "--truth",
-            "out/drop.csv",
-            "--force",
-        ],
+        arguments: "synth out/drop.wav --truth out/drop.csv --force",
         grows: None,
     },
     Case {
-        arguments: &[
-            "analyze",
-            "in/a.wav",
-            "--no-inference",
-            "--figures",
-            "out",
-            "--report",
-            "out/report.html",
-        ],
+        arguments: "analyze in/a.wav --no-inference --figures out --report out/report.html",
         grows: None,
     },
     Case {
-        arguments: &[
-            "session",
-            "in",
-            "--output",
-            "out",
-            "--no-inference",
-            "--jobs",
-            "1",
-            "--figures",
-            "--report",
-            "out/report.html",
-        ],
+        arguments: "session in --output out --no-inference --jobs 1 --figures --report out/report.html",
         grows: Some("journal.jsonl"),
     },
     Case {
-        arguments: &[
-            "listen",
-            "--fast",
-            "--from",
-            "in/a.wav",
-            "--no-inference",
-            "--save",
-            "out/saved.wav",
-        ],
+        arguments: "listen --fast --from in/a.wav --no-inference --save out/saved.wav",
         grows: Some("saved.wav"),
     },
     Case {
-        arguments: &[
-            "analyze",
-            "in/a.wav",
-            "--no-inference",
-            "--cues",
-            "out/cues.wav",
-            "--force",
-        ],
+        arguments: "analyze in/a.wav --no-inference --cues out/cues.wav --force",
         grows: None,
     },
     Case {
-        arguments: &[
-            "verdict",
-            "--rule",
-            "ittf-38-table",
-            "in/a.wav",
-            "--drag",
-            "none",
-            "--height",
-            "30.5cm",
-            "--kept",
-            "surface",
-            "--report",
-            "out/report.html",
-        ],
+        arguments: "verdict --rule ittf-38-table in/a.wav --drag none --height 30.5cm --kept surface --report out/report.html",
         grows: None,
     },
     Case {
-        arguments: &["simulate", "--figures", "out"],
+        arguments: "simulate --figures out",
         grows: None,
     },
     Case {
-        arguments: &["paper", "--figures", "out"],
+        arguments: "paper --figures out",
         grows: None,
     },
     Case {
-        arguments: &["demo", "--output", "out", "--force"],
+        arguments: "demo --output out --force",
         grows: None,
     },
     Case {
-        arguments: &["manual", "out"],
+        arguments: "manual out",
         grows: None,
     },
 ];
@@ -172,7 +119,9 @@ impl Workspace {
                 command
             }
         };
-        command.args(case.arguments).current_dir(self.0.path());
+        command
+            .args(case.arguments.split(' '))
+            .current_dir(self.0.path());
         command
     }
 
@@ -405,23 +354,9 @@ fn a_name_appears_after_the_bytes_of_its_file_are_on_the_disk() {
 #[test]
 #[ignore = "needs strace"]
 fn new_names_are_on_the_disk() {
-    let saved = &[
-        "listen",
-        "--fast",
-        "--from",
-        "in/a.wav",
-        "--no-inference",
-        "--save",
-        "saved.wav",
-    ];
-    let studied = &[
-        "session",
-        "in",
-        "--no-inference",
-        "--output",
-        "out/new/results",
-    ];
-    let cases: [(&[&str], &[&str]); 2] = [
+    let saved = "listen --fast --from in/a.wav --no-inference --save saved.wav";
+    let studied = "session in --no-inference --output out/new/results";
+    let cases: [(&str, &[&str]); 2] = [
         (saved, &[""]),
         (studied, &["out", "out/new", "out/new/results"]),
     ];
@@ -508,35 +443,29 @@ fn a_recording_survives_a_hundred_kills() {
 #[test]
 #[ignore = "needs strace"]
 fn a_job_survives_a_hundred_kills() {
-    const ADD: &[&str] = &["job", "add", "job", "in/b.wav"];
-    const LISTEN: &[&str] = &["job", "listen", "job", "--fast", "--from", "in/b.wav"];
+    const ADD: &str = "job add job in/b.wav";
+    const LISTEN: &str = "job listen job --fast --from in/b.wav";
     for arguments in [ADD, LISTEN] {
         let case = Case {
             arguments,
             grows: None,
         };
         let workspace = Workspace::new();
-        let run = |program: &str, arguments: &[&str]| {
+        let run = |program: &str, words: &str| {
             let mut command = Command::new(program);
-            command.args(arguments).current_dir(workspace.0.path());
+            command
+                .args(words.split(' '))
+                .current_dir(workspace.0.path());
             command.output().unwrap()
         };
         let bouncelab = env!("CARGO_BIN_EXE_bouncelab");
-        let new = [
-            "job",
-            "new",
-            "kept",
-            "--rule",
-            "ittf-38-table",
-            "--drops",
-            "2",
-        ];
-        assert!(run(bouncelab, &new).status.success());
-        let first = run(bouncelab, &["job", "add", "kept", "in/a.wav"]);
+        let new = "job new kept --rule ittf-38-table --drops 2";
+        assert!(run(bouncelab, new).status.success());
+        let first = run(bouncelab, "job add kept in/a.wav");
         assert!(first.status.success(), "{}", text(&first.stderr));
         let anew = || {
-            run("rm", &["-rf", "job"]);
-            assert!(run("cp", &["-r", "kept", "job"]).status.success());
+            run("rm", "-rf job");
+            assert!(run("cp", "-r kept job").status.success());
         };
         anew();
         let calls = workspace.undisturbed(&case);
@@ -545,7 +474,7 @@ fn a_job_survives_a_hundred_kills() {
             workspace.run(&["-e", &trace, "-e", &kill], &case);
             // The drop was written down before the kill, and is refused, or is now.
             let again = workspace.run(&[], &case);
-            let shown = run(bouncelab, &["job", "show", "job"]);
+            let shown = run(bouncelab, "job show job");
             let said = text(&shown.stdout) + &text(&shown.stderr) + &text(&again.stderr);
             assert!(said.contains("place 1 of 1, drop 2 of 2"), "{kill}: {said}");
             let kept = fs::read(workspace.path("job/sounds/001.wav")).unwrap();

@@ -104,25 +104,12 @@ fn hostile_notes_are_written_out_wherever_they_are_shown() {
     }
     for ending in ["html", "md"] {
         let report = format!("report.{ending}");
-        let words = [
-            "session",
-            "session.toml",
-            times[0],
-            times[1],
-            "--output",
-            "s",
-            "--ball",
-        ];
-        let more = [
-            "tennis",
-            "--draws",
-            "100",
-            "--figures",
-            "--details",
-            "--report",
-            &report,
-        ];
-        let (code, out, err) = run(&folder, &[&words[..], &more].concat());
+        let words = format!(
+            "session session.toml one.txt two.txt --output s --ball tennis --draws 100 --figures --details \
+             --report {report}"
+        );
+        let words: Vec<&str> = words.split(' ').collect();
+        let (code, out, err) = run(&folder, &words);
         assert_eq!(code, Some(0), "{err}");
         assert!(out.contains(r"\u{1b}[31m"), "{out}");
         shown(&(out + &err));

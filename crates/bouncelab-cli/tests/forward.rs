@@ -33,21 +33,10 @@ fn simulate_prints_totals_and_bounces() {
 /// Eq. 15 of the paper: 2.405 m/s, with its ball, air and gravity.
 #[test]
 fn simulate_reproduces_the_first_impact_of_the_paper() {
-    let result = json(&mut bouncelab(&[
-        "simulate",
-        "--ball",
-        "table-tennis-38",
-        "--drag",
-        "constant:0.4",
-        "--air-density",
-        "1.2276",
-        "--gravity",
-        "9.81",
-        "--no-buoyancy",
-        "--no-added-mass",
-        "--format",
-        "json",
-    ]));
+    let words = "simulate --ball table-tennis-38 --drag constant:0.4 --air-density 1.2276 --gravity 9.81 \
+                 --no-buoyancy --no-added-mass --format json";
+    let arguments: Vec<&str> = words.split_whitespace().collect();
+    let result = json(&mut bouncelab(&arguments));
     assert_eq!(result["schema"], "bouncelab.simulation/2");
     let speed = result["simulations"][0]["bounces"][0]["impact_speed_m_s"]
         .as_f64()
@@ -70,27 +59,20 @@ fn simulate_writes_csv_and_a_figure() {
 
 #[test]
 fn absurd_drops_are_refused() {
-    for (arguments, reason) in [
-        (&["--restitution", "1.2"][..], "restitution"),
-        (&["--height", "-1m"], "height"),
-        (&["--mass", "-2.5g", "--diameter", "38mm"], "mass"),
-        (&["--mass", "2.5g", "--diameter", "0"], "diameter"),
-        (&["--restitution", "1", "--drag", "none"], "bounces"),
-        (&["--mass", "1g", "--diameter", "1m"], "floats"),
+    for (words, reason) in [
+        ("--restitution 1.2", "restitution"),
+        ("--height -1m", "height"),
+        ("--mass -2.5g --diameter 38mm", "mass"),
+        ("--mass 2.5g --diameter 0", "diameter"),
+        ("--restitution 1 --drag none", "bounces"),
+        ("--mass 1g --diameter 1m", "floats"),
         (
-            &[
-                "--ball",
-                "football",
-                "--height",
-                "10km",
-                "--drag",
-                "table:100=1,9000=0.4",
-            ],
+            "--ball football --height 10km --drag table:100=1,9000=0.4",
             "reynolds",
         ),
     ] {
         bouncelab(&["simulate", "--allow-implausible"])
-            .args(arguments)
+            .args(words.split(' '))
             .assert()
             .code(2)
             .stderr(predicate::function(|text: &str| {

@@ -91,47 +91,20 @@ fn the_notes_of_a_session_survive_its_tables() {
 
 #[test]
 fn files_of_others_are_replaced_only_by_force_and_own_ones_always() {
+    const SESSION: &str = "session drop.txt --ball tennis --no-inference --output .";
+    const FIGURES: &str = "analyze drop.txt --no-inference --figures .";
+    let report = |name| format!("analyze drop.txt --no-inference --report {name}");
     let cases = [
-        (
-            "session drop.txt --ball tennis --no-inference --output .",
-            "impacts.csv",
-        ),
-        (
-            "session drop.txt --ball tennis --no-inference --output .",
-            "drops.jsonl",
-        ),
-        (
-            "session drop.txt --ball tennis --no-inference --output .",
-            "drops.parquet",
-        ),
-        (
-            "session drop.txt --ball tennis --no-inference --output .",
-            "session.json",
-        ),
-        (
-            "session drop.txt --ball tennis --no-inference --output .",
-            "journal.jsonl",
-        ),
-        (
-            "analyze drop.txt --no-inference --report notes.md",
-            "notes.md",
-        ),
-        (
-            "analyze drop.txt --no-inference --report notes.html",
-            "notes.html",
-        ),
-        (
-            "analyze drop.txt --no-inference --figures .",
-            "drop-flight-times.svg",
-        ),
-        (
-            "analyze drop.txt --no-inference --figures .",
-            "drop-flight-times.png",
-        ),
-        (
-            "analyze drop.txt --no-inference --figures .",
-            "drop-flight-times.pdf",
-        ),
+        (SESSION, "impacts.csv"),
+        (SESSION, "drops.jsonl"),
+        (SESSION, "drops.parquet"),
+        (SESSION, "session.json"),
+        (SESSION, "journal.jsonl"),
+        (&report("notes.md"), "notes.md"),
+        (&report("notes.html"), "notes.html"),
+        (FIGURES, "drop-flight-times.svg"),
+        (FIGURES, "drop-flight-times.png"),
+        (FIGURES, "drop-flight-times.pdf"),
         ("simulate --figures .", "height.svg"),
         ("demo --output .", "demo.wav"),
     ];

@@ -86,14 +86,7 @@ fn a_late_start_is_noticed() {
         .unwrap()
         .arg("analyze")
         .arg(recordings().join("tennis-late-start.wav"))
-        .args([
-            "--ball",
-            "tennis",
-            "--height",
-            "1.50m",
-            "--height-sd",
-            "1cm",
-        ])
+        .args("--ball tennis --height 1.50m --height-sd 1cm".split(' '))
         .args(["--format", "json"])
         .output()
         .unwrap();

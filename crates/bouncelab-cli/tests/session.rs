@@ -67,6 +67,14 @@ impl Workspace {
         command
     }
 
+    /// A session of the rows that a cluster wrote.
+    fn from_cluster(&self, rows: &Path) -> Command {
+        let mut command = Command::cargo_bin("bouncelab").unwrap();
+        command.args(["session", "--from"]).arg(rows);
+        command.arg("--output").arg(self.results());
+        command
+    }
+
     /// A session in the background.
     fn start(&self, more: &[&str]) -> Child {
         let program = Command::cargo_bin("bouncelab").unwrap();
@@ -94,19 +102,17 @@ impl Workspace {
 
     /// The content of every table.
     fn tables(&self) -> Vec<(String, Vec<u8>)> {
-        let mut tables = Vec::new();
-        for name in ["drops", "impacts"] {
-            for ending in ["parquet", "csv", "jsonl"] {
-                let name = format!("{name}.{ending}");
-                let content = fs::read(self.results().join(&name)).unwrap();
-                tables.push((name, content));
-            }
-        }
-        tables.push((
-            "session.json".to_owned(),
-            fs::read(self.results().join("session.json")).unwrap(),
-        ));
-        tables
+        let names = [
+            "drops.parquet",
+            "drops.csv",
+            "drops.jsonl",
+            "impacts.parquet",
+            "impacts.csv",
+            "impacts.jsonl",
+            "session.json",
+        ];
+        let content = |name: &str| fs::read(self.results().join(name)).unwrap();
+        names.map(|name| (name.to_owned(), content(name))).into()
     }
 }
 
@@ -122,16 +128,10 @@ fn a_folder_with_names_that_speak() {
     let report = workspace.0.path().join("session.html");
     workspace
         .session()
-        .args([
-            "--pattern",
-            "{ball}_{height}_{}",
-            "--ball",
-            "table-tennis-40",
-            "--figures",
-            "--details",
-            "--report",
-            report.to_str().unwrap(),
-        ])
+        .args(["--pattern", "{ball}_{height}_{}"])
+        .args(["--ball", "table-tennis-40", "--figures", "--details"])
+        .arg("--report")
+        .arg(&report)
         .assert()
         .success()
         .stdout(contains("4 drops in 4 recordings"))
@@ -168,19 +168,15 @@ fn an_archive_gives_the_tables_of_its_folder() {
         std::io::copy(&mut fs::File::open(entry.path()).unwrap(), &mut writer).unwrap();
     }
     writer.finish().unwrap();
-    let words = [
-        "--pattern",
-        "{ball}_{height}_{}",
-        "--ball",
-        "table-tennis-40",
-    ];
-    workspace.session().args(words).assert().success();
+    let words = "--pattern {ball}_{height}_{} --ball table-tennis-40";
+    let words: Vec<&str> = words.split(' ').collect();
+    workspace.session().args(&words).assert().success();
     let of_folder = workspace.tables();
     fs::remove_dir_all(workspace.results()).unwrap();
     let mut arguments = workspace.arguments();
     arguments[1] = archive.into();
     let mut session = Command::cargo_bin("bouncelab").unwrap();
-    session.args(arguments).args(words).assert().success();
+    session.args(arguments).args(&words).assert().success();
     assert_eq!(workspace.tables(), of_folder);
 }
 
@@ -740,13 +736,8 @@ fn a_report_may_lie_with_the_tables() {
 fn wishes_that_make_no_sense_are_refused() {
     let workspace = Workspace::new(&[]);
     workspace.record("a.wav", 1);
-    for wish in [
-        "--want=nan",
-        "--want=0",
-        "--want=-1",
-        "--compare-at=0",
-        "--at-speed=-1m/s",
-    ] {
+    let wishes = "--want=nan --want=0 --want=-1 --compare-at=0 --at-speed=-1m/s";
+    for wish in wishes.split(' ') {
         workspace
             .session()
             .arg(wish)
@@ -779,11 +770,7 @@ fn results_of_a_cluster_wait_for_another_run() {
     let running = bouncelab_session::journal::Journal::open(&workspace.results()).unwrap();
     let draft = workspace.results().join(".bouncelab-1.part");
     fs::write(&draft, "").unwrap();
-    let mut command = Command::cargo_bin("bouncelab").unwrap();
-    command
-        .args(["session", "--from"])
-        .arg(workspace.recordings());
-    command.arg("--output").arg(workspace.results());
+    let mut command = workspace.from_cluster(&workspace.recordings());
     command.assert().failure().stderr(contains("another run"));
     assert!(draft.exists());
     drop(running);
@@ -826,13 +813,7 @@ fn a_damaged_result_of_a_cluster_is_named_in_one_line() {
     let mut damaged = 0;
     for rows in bouncelab_testkit::fuzz::corpus("rows") {
         fs::write(&file, rows).unwrap();
-        let mut command = Command::cargo_bin("bouncelab").unwrap();
-        command.args(["session", "--from"]).arg(&file);
-        let output = command
-            .arg("--output")
-            .arg(workspace.results())
-            .output()
-            .unwrap();
+        let output = workspace.from_cluster(&file).output().unwrap();
         if output.status.success() {
             continue;
         }
@@ -848,12 +829,8 @@ fn a_damaged_result_of_a_cluster_is_named_in_one_line() {
 fn results_of_a_cluster_take_no_settings() {
     let workspace = Workspace::new(&[]);
     let from = |more: &[&str]| {
-        let mut command = Command::cargo_bin("bouncelab").unwrap();
-        let folder = workspace.recordings();
-        command
-            .args(["session", "--output"])
-            .arg(workspace.results());
-        command.arg("--from").arg(folder).args(more).assert()
+        let mut command = workspace.from_cluster(&workspace.recordings());
+        command.args(more).assert()
     };
     from(&["--ball", "tennis"])
         .code(2)

@@ -29,14 +29,8 @@ fn polars_duckdb_and_pandas_see_the_same() {
         .arg(&times)
         .arg("--output")
         .arg(&results)
-        .args([
-            "--pattern",
-            "{ball} {surface}",
-            "--ball",
-            "table-tennis-38",
-            "--draws",
-            "200",
-        ])
+        .args(["--pattern", "{ball} {surface}"])
+        .args(["--ball", "table-tennis-38", "--draws", "200"])
         .assert()
         .success();
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/open_tables.py");
