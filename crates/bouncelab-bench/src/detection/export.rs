@@ -2,7 +2,7 @@
 
 use super::drops::cells;
 use bouncelab_audio::{SampleFormat, encode_wav};
-use std::fmt::Write as _;
+use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
 
@@ -10,7 +10,7 @@ use std::path::Path;
 pub(crate) fn write(folder: &str, drops: u64) -> Result<(), String> {
     let folder = Path::new(folder);
     fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", bouncelab::Plain::path(folder)))?;
-    let mut lines = Vec::new();
+    let mut truth = Vec::new();
     for (number, cell) in cells().iter().enumerate() {
         for seed in 0..drops {
             let recording = cell.record(seed);
@@ -31,25 +31,17 @@ pub(crate) fn write(folder: &str, drops: u64) -> Result<(), String> {
                 .map_err(|e| e.to_string())?,
             )
             .map_err(|e| e.to_string())?;
-            let all = recording.sound.impacts.iter().map(|i| i.time_s);
-            let mut line = format!(
-                r#"{{"file": "{file}", "group": "{}", "cell": "{}""#,
-                cell.group, cell.name
-            );
-            let times = |times: Vec<f64>| {
-                let times: Vec<String> = times.iter().map(|t| format!("{t:.7}")).collect();
-                times.join(", ")
-            };
-            let _ = write!(
-                line,
-                r#", "impacts_s": [{}], "audible_s": [{}]}}"#,
-                times(all.collect()),
-                times(recording.audible())
-            );
-            lines.push(line);
+            let impacts = recording.sound.impacts.iter().map(|it| it.time_s);
+            truth.push(json!({
+                "file": file,
+                "group": cell.group,
+                "cell": cell.name,
+                "impacts_s": impacts.collect::<Vec<f64>>(),
+                "audible_s": recording.audible(),
+            }));
         }
     }
-    let truth = format!("[\n{}\n]\n", lines.join(",\n"));
+    let truth = Value::from(truth).to_string();
     let path = folder.join("truth.json");
     fs::write(&path, truth).map_err(|e| format!("{}: {e}", bouncelab::Plain::path(&path)))
 }
