@@ -178,15 +178,8 @@ fn balls_are_compared_where_that_is_asked() {
     let file = folder.path().join("drop.wav");
     let mut synth = bouncelab();
     synth.arg("synth").arg(&file);
-    let truth = [
-        "--ball",
-        "table-tennis-40",
-        "--height",
-        "1m",
-        "--restitution",
-        "0.9",
-    ];
-    synth.args(truth).assert().success();
+    let truth = "--ball table-tennis-40 --height 1m --restitution 0.9";
+    synth.args(truth.split(' ')).assert().success();
     let stated = || {
         let mut command = analyze(&file);
         command.args(["--ball", "steel:20mm"]);
@@ -480,46 +473,6 @@ fn not_numbers(folder: &TempDir) -> PathBuf {
         .for_each(|sample| *sample = to);
     fs::write(&path, bytes).unwrap();
     path
-}
-
-#[test]
-fn damaged_recordings_of_every_format_never_panic() {
-    let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../bouncelab-audio/tests/fixtures");
-    let folder = TempDir::new().unwrap();
-    let mut formats = 0;
-    for entry in fs::read_dir(fixtures).unwrap() {
-        let path = entry.unwrap().path();
-        let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        if path
-            .extension()
-            .is_some_and(|ending| ending == "sh" || ending == "md")
-        {
-            continue;
-        }
-        formats += 1;
-        let bytes = fs::read(&path).unwrap();
-        let half = folder.path().join(format!("half-{name}"));
-        fs::write(&half, &bytes[..bytes.len() / 2]).unwrap();
-        let mut bent = bytes.clone();
-        for at in (64..bent.len()).step_by(97) {
-            bent[at] ^= 0x55;
-        }
-        let corrupt = folder.path().join(format!("corrupt-{name}"));
-        fs::write(&corrupt, bent).unwrap();
-        for file in [half, corrupt] {
-            let output = analyze(&file).output().unwrap();
-            let message = String::from_utf8_lossy(&output.stderr).into_owned();
-            assert!(
-                matches!(output.status.code(), Some(0 | 1)),
-                "{name}: {message}"
-            );
-            assert!(
-                !message.is_empty() || output.status.success(),
-                "{name} says nothing"
-            );
-        }
-    }
-    assert!(formats >= 12, "only {formats} fixtures");
 }
 
 #[test]

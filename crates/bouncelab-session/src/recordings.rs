@@ -612,22 +612,6 @@ mod tests {
     }
 
     #[test]
-    fn contradictions_are_kept_for_who_can_judge_them() {
-        let folder = folder(&[
-            (
-                "session.toml",
-                "pattern = \"{ball}_{}\"\nnotes = \"notes.csv\"",
-            ),
-            ("notes.csv", "recording,ball\nred_1.wav,blue\n"),
-            ("red_1.wav", ""),
-        ]);
-        assert_eq!(
-            texts(&gather(&folder).unwrap(), "red_1.wav", "ball"),
-            ["red", "blue"]
-        );
-    }
-
-    #[test]
     fn notes_of_what_is_not_there_are_refused() {
         let files = [
             (
@@ -668,16 +652,5 @@ mod tests {
             ..Sources::default()
         };
         assert!(matches!(Session::gather(&missing), Err(Error::Read { .. })));
-    }
-
-    #[cfg(target_os = "linux")]
-    #[test]
-    fn names_that_are_no_text_have_names() {
-        use std::os::unix::ffi::OsStrExt;
-        let folder = folder(&[]);
-        let raw = std::ffi::OsStr::from_bytes(b"red\xff_1.wav");
-        fs::write(folder.path().join(raw), "").unwrap();
-        let session = gather(&folder).unwrap();
-        assert_eq!(session.recordings[0].name, "red\\xff_1.wav");
     }
 }
