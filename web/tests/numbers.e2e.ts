@@ -216,7 +216,7 @@ describe('the same document as the command line', () => {
     );
     expectSame(simulated, JSON.parse(printed));
     const paper = bouncelab('paper', '--no-figures', '--format', 'json');
-    expectSame(JSON.parse(science.paperDocument(english())), JSON.parse(paper));
+    expectSame(JSON.parse(decoding.paperDocument('en', [])), JSON.parse(paper));
   });
 
   test('rows of a table, to the letter of their names', () => {

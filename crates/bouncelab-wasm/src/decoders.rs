@@ -10,6 +10,7 @@ use bouncelab_audio::times::TimeList;
 use bouncelab_audio::{Input, SoundReader, Warning};
 use bouncelab_report::figure::{self, DropSummary};
 use bouncelab_report::link::LinkedDrop;
+use bouncelab_report::paper::{self, lesson};
 use bouncelab_report::sheets::Sheet;
 use wasm_bindgen::prelude::*;
 
@@ -225,4 +226,29 @@ pub fn study_report(request: &str, code: &str, sources: Vec<String>) -> Result<S
         &serde_json::from_str(request)?,
         &translator(code, &sources)?,
     )
+}
+
+/// The paper's numbers, `bouncelab.paper/1`.
+#[expect(
+    clippy::needless_pass_by_value,
+    reason = "JavaScript hands over a vector"
+)]
+#[wasm_bindgen(js_name = paperDocument)]
+pub fn paper_document(code: &str, sources: Vec<String>) -> Result<String> {
+    Ok(serde_json::to_string(&paper::Document::new(
+        &paper::chapters()?,
+        paper::explanations()?,
+        &translator(code, &sources)?,
+    ))?)
+}
+
+/// The charts of the lesson about the paper: the log-linear fit, drag, and heights.
+#[expect(
+    clippy::needless_pass_by_value,
+    reason = "JavaScript hands over a vector"
+)]
+#[wasm_bindgen(js_name = lessonCharts)]
+pub fn lesson_charts(code: &str, sources: Vec<String>) -> Result<String> {
+    let charts = lesson::charts(&translator(code, &sources)?)?;
+    Ok(serde_json::to_string(&charts)?)
 }

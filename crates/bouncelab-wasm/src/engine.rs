@@ -9,8 +9,7 @@ use bouncelab::detection::Envelope;
 use bouncelab_audio::{SampleFormat, encode_wav};
 use bouncelab_report::Chart;
 use bouncelab_report::messages::Translator;
-use bouncelab_report::paper;
-use bouncelab_report::paper::lesson::{self, PuzzleChoice};
+use bouncelab_report::paper::lesson::PuzzleChoice;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use wasm_bindgen::prelude::*;
@@ -391,27 +390,11 @@ impl Rendering {
     }
 }
 
-/// The paper's numbers, `bouncelab.paper/1`.
-#[wasm_bindgen(js_name = paperDocument)]
-pub fn paper_document(translator: &JsTranslator) -> Result<String> {
-    json(&paper::Document::new(
-        &paper::chapters()?,
-        paper::explanations()?,
-        &translator.0,
-    ))
-}
-
 /// Charts that compare simulated drops, the last of which is the present one: height against time,
 /// and flight times.
 #[wasm_bindgen(js_name = simulationCharts)]
 pub fn simulation_charts(runs: &str, translator: &JsTranslator) -> Result<String> {
     json(&simulator::charts(&read::<Vec<_>>(runs)?, &translator.0)?)
-}
-
-/// The charts of the lesson about the paper: the log-linear fit, drag, and heights.
-#[wasm_bindgen(js_name = lessonCharts)]
-pub fn lesson_charts(translator: &JsTranslator) -> Result<String> {
-    json(&lesson::charts(&translator.0)?)
 }
 
 /// What the log-linear fit of the paper makes of a choice of the reader.

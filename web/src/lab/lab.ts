@@ -356,12 +356,12 @@ export class Lab {
 
   /** The paper's numbers, computed again. */
   paper(): Promise<PaperDocument> {
-    return this.#back.call('paper', {});
+    return this.#alone(true, undefined, (connection) => connection.call('paper', {}));
   }
 
   /** The charts of the lesson about the paper. */
   lessonCharts(): Promise<Chart[]> {
-    return this.#front.call('lessonCharts', {});
+    return this.#alone(true, undefined, (connection) => connection.call('lessonCharts', {}));
   }
 
   /** The log-linear fit of the paper for a choice. */

@@ -217,8 +217,8 @@ const handlers: Handlers = {
   simulationCharts: ({ runs }, { translator }) => ({
     response: JSON.parse(science.simulationCharts(JSON.stringify(runs), translator)),
   }),
-  lessonCharts: (_, { translator }) => ({
-    response: JSON.parse(science.lessonCharts(translator)),
+  lessonCharts: (_, { messages: { code, sources } }) => ({
+    response: JSON.parse(decoding.lessonCharts(code, [...sources])),
   }),
   puzzleAnswer: ({ choice }, { translator }) => ({
     response: JSON.parse(science.puzzleAnswer(JSON.stringify(choice), translator)),
@@ -226,7 +226,9 @@ const handlers: Handlers = {
   puzzleSolution: ({ choice }) => ({
     response: JSON.parse(science.puzzleSolution(JSON.stringify(choice))),
   }),
-  paper: (_, { translator }) => ({ response: JSON.parse(science.paperDocument(translator)) }),
+  paper: (_, { messages: { code, sources } }) => ({
+    response: JSON.parse(decoding.paperDocument(code, [...sources])),
+  }),
 };
 
 /** Languages that were asked for, by their codes. */

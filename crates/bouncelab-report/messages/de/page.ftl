@@ -273,6 +273,7 @@ page-settings-refused = Diese Einstellungen widersprechen sich:
 page-ball-row = Welcher Ball?
 page-ball-other = anderer: Größe und Gewicht
 
+page-setup-named = { $name }: { $value }
 page-setup-offered = Dieser Link gibt an: { $what }. Für deine eigenen Versuche gilt das nur, wenn du es willst.
 page-setup-laws = andere Modelle der Auswertung
 page-setup-take = für meine Versuche verwenden

@@ -275,6 +275,7 @@ page-settings-refused = These settings contradict each other:
 page-ball-row = Which ball?
 page-ball-other = other: size and weight
 
+page-setup-named = { $name }: { $value }
 page-setup-offered = This link states: { $what }. Your own drops do not have it unless you want it.
 page-setup-laws = other models of the analysis
 page-setup-take = use it for my drops

@@ -276,6 +276,7 @@ page-settings-refused = Estos ajustes se contradicen:
 page-ball-row = ¿Qué pelota?
 page-ball-other = otra: tamaño y peso
 
+page-setup-named = { $name }: { $value }
 page-setup-offered = Este enlace indica: { $what }. Tus propias caídas no lo usan si no lo quieres.
 page-setup-laws = otros modelos del análisis
 page-setup-take = usarlo para mis caídas

@@ -276,6 +276,7 @@ page-settings-refused = Ces réglages se contredisent :
 page-ball-row = Quelle balle ?
 page-ball-other = autre : taille et masse
 
+page-setup-named = { $name } : { $value }
 page-setup-offered = Ce lien indique : { $what }. Tes propres essais ne l’utilisent que si tu le veux.
 page-setup-laws = d’autres modèles de l’analyse
 page-setup-take = l’utiliser pour mes essais

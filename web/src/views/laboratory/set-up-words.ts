@@ -12,6 +12,10 @@ const number = (value: number): string =>
 /** Marks a quantity that was assumed. */
 const unlessStated = (stated: boolean): string => (stated ? '' : ` (${text('page-lab-assumed')})`);
 
+/** A quantity with its name. */
+const named = (id: string, value: string): string =>
+  text('page-setup-named', { name: text(id), value });
+
 export function ballInWords(settings: Settings): string {
   const { kind, mass_kg, diameter_m } = settings.ball ?? {};
   const words = [
@@ -19,7 +23,7 @@ export function ballInWords(settings: Settings): string {
     mass_kg === undefined ? '' : `${number(1e3 * mass_kg)} g`,
     diameter_m === undefined ? '' : `${number(1e3 * diameter_m)} mm`,
   ];
-  return `${text('page-settings-ball')}: ${words.filter((word) => word !== '').join(', ')}`;
+  return named('page-settings-ball', words.filter((word) => word !== '').join(', '));
 }
 
 export function airInWords({ air }: Settings): string {
@@ -27,12 +31,13 @@ export function airInWords({ air }: Settings): string {
   if (drag === 'none') return text('page-settings-no-drag');
   if (density_kg_m3 === 0) return text('page-settings-vacuum');
   if (density_kg_m3 !== undefined)
-    return `${text('page-settings-air')}: ${number(density_kg_m3)} kg/m³`;
+    return named('page-settings-air', `${number(density_kg_m3)} kg/m³`);
   const usual = catalogue.value?.usual_air;
   const temperature = (temperature_k ?? usual?.temperature_k ?? 293.15) - 273.15;
   const pressure = (pressure_pa ?? usual?.pressure_pa ?? 101325) / 100;
   const stated = temperature_k !== undefined || pressure_pa !== undefined;
-  return `${text('page-settings-air')}: ${number(temperature)} °C, ${fixed(pressure, 0, language.value)} hPa${unlessStated(stated)}`;
+  const value = `${number(temperature)} °C, ${fixed(pressure, 0, language.value)} hPa`;
+  return named('page-settings-air', value + unlessStated(stated));
 }
 
 export function gravityInWords({ gravity }: Settings): string {
@@ -51,7 +56,7 @@ export function statedInWords(settings: Settings): string {
     air && airInWords(settings),
     gravity && gravityInWords(settings),
     drop?.height_m !== undefined &&
-      `${text('page-settings-height')}: ${number(100 * drop.height_m)}\u00a0cm`,
+      named('page-settings-height', `${number(100 * drop.height_m)}\u00a0cm`),
   ];
   return words.filter(Boolean).join(' · ');
 }
