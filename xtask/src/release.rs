@@ -638,7 +638,7 @@ mod tests {
             (
                 "Cargo.toml",
                 format!("{{ version = \"{VERSION}\", path = "),
-                4,
+                5,
             ),
             ("web/package.json", format!("\"version\": \"{VERSION}\""), 1),
             ("conda/recipe.yaml", format!("version: \"{VERSION}\""), 1),
