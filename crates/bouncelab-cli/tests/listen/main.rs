@@ -252,7 +252,7 @@ fn what_makes_no_sound_is_refused_with_a_reason() {
     fs::write(&times, "0.1\n0.5\n").unwrap();
     let missing = folder.path().join("missing.wav");
     for (file, arguments, code, reason) in [
-        (&times, &[][..], 2, "list of times"),
+        (&times, &[][..], 2, "list of numbers"),
         (&missing, &[], 1, "no such file"),
         (&folder.path().to_owned(), &[], 1, "folder"),
         (&file, &["--channel", "2"], 2, "no channel 2"),
