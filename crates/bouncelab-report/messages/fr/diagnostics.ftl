@@ -19,7 +19,7 @@ diagnostic-clipped = { $samples ->
     [one] { $samples } échantillon est écrêté
    *[other] { $samples } échantillons sont écrêtés
   } : le niveau d’enregistrement était trop élevé ; les temps d’impact n’en souffrent guère, les niveaux si.
-diagnostic-earlier-impact = Un son à { $time_s } s, avant l’essai à partir de { $start_s } s, peut être un impact antérieur, bien qu’il s’accorde mal avec les autres : si c’en est un, la balle est tombée de plus haut qu’indiqué.
+diagnostic-earlier-impact = Un son à { $time_s } s, avant l’essai à partir de { $start_s } s, peut être un impact antérieur, bien qu’il s’accorde mal avec les autres : si c’en est un, la balle est tombée de plus haut qu’indiqué.
 diagnostic-sounds-unused = { $count } sons proches de l’essai à partir de { $start_s } s sont aussi forts que ses impacts et n’ont pas servi : d’autres sons, ou une seconde balle.
 diagnostic-possible-drop = Essai possible { $number } : à partir de { $start_s } s, { $impacts } impacts, probabilité { $probability }. Il ne compte que si tu l’acceptes (--accept { $number }).
 diagnostic-no-candidate = Il n’y a pas d’essai possible de numéro { $number }, mais { $count ->
@@ -169,7 +169,7 @@ diagnostic-assumed-air = Air à { $temperature_k } °C, { $pressure_pa } hPa, { 
 diagnostic-assumed-gravity = Pesanteur { $gravity_m_s2 }.
 
 diagnostic-prior-restitution = Restitution : uniforme de 0 à 1.
-diagnostic-prior-restitution-stated = Restitution selon la vitesse d’impact, comme indiqué : { $prior }.
+diagnostic-prior-restitution-stated = Restitution selon la vitesse d’impact, comme indiqué : { $prior }.
 diagnostic-prior-scatter = Dispersion de la restitution : environ { $relative_sd } %, probablement entre la moitié et 2,5 fois autant.
 diagnostic-prior-slow-losses = Impacts plus lents que ceux détectés : comme le dit la loi, ou avec des pertes qui croissent en plus quand la vitesse diminue (selon une puissance d’environ { $exponent }).
 diagnostic-prior-exact = { $input } : exact.
