@@ -147,11 +147,11 @@ impl GroupStudy {
         Asking { factors, asked }: Asking,
         study: bouncelab::Result<Study>,
         names: Vec<Arc<str>>,
-        drops: usize,
+        studied: usize,
         translator: &Translator,
     ) -> Self {
         let study = study.map_err(|refusal| match asked.at_speed_m_s {
-            _ if drops == 0 => translator.text("session-no-inference"),
+            _ if studied == 0 => translator.text("session-no-inference"),
             Some(speed) => translator.text_with("session-no-speed", &[("speed", speed.into())]),
             None => translator.diagnostic(&refusal.diagnostic()),
         });
@@ -234,6 +234,8 @@ impl Asking {
 #[derive(Debug, Clone)]
 pub struct StudyParts {
     asking: Asking,
+    /// How many drops there are, those included that have no inference.
+    drops: usize,
     sums: Parts,
 }
 
@@ -241,7 +243,8 @@ pub struct StudyParts {
 pub type Parts = Vec<(Vec<Option<usize>>, GroupSums)>;
 
 impl StudyParts {
-    /// Without a drop yet, given every level that was noted of a field of any of the drops, and how many these are.
+    /// Without a drop yet, given every level that was noted of a field of any of the drops, and how many these are, those
+    /// included that have no inference.
     ///
     /// # Errors
     /// As [`GroupStudy::of`].
@@ -252,6 +255,7 @@ impl StudyParts {
     ) -> Result<Self, UnknownField> {
         Ok(Self {
             asking: Asking::new(noted, drops, question)?,
+            drops,
             sums: Vec::new(),
         })
     }
@@ -280,14 +284,14 @@ impl StudyParts {
     /// The study of all drops, without what needs each of them: names, outliers and heights.
     pub fn study(&self, mut about: About, translator: &Translator) -> GroupStudy {
         let study = Study::of_sums(&self.sums, &self.asking.asked);
-        about.drops = self.sums.iter().map(|(_, sums)| sums.drops()).sum();
-        let drops = about.drops;
+        about.drops = self.drops;
+        let studied = self.sums.iter().map(|(_, sums)| sums.drops()).sum();
         GroupStudy::new(
             about,
             self.asking.clone(),
             study,
             Vec::new(),
-            drops,
+            studied,
             translator,
         )
     }
