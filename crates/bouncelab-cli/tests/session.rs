@@ -68,7 +68,7 @@ impl Workspace {
     }
 
     /// A session of the rows that a cluster wrote.
-    fn from_cluster(&self, rows: &Path) -> Command {
+    fn cluster_session(&self, rows: &Path) -> Command {
         let mut command = Command::cargo_bin("bouncelab").unwrap();
         command.args(["session", "--from"]).arg(rows);
         command.arg("--output").arg(self.results());
@@ -770,7 +770,7 @@ fn results_of_a_cluster_wait_for_another_run() {
     let running = bouncelab_session::journal::Journal::open(&workspace.results()).unwrap();
     let draft = workspace.results().join(".bouncelab-1.part");
     fs::write(&draft, "").unwrap();
-    let mut command = workspace.from_cluster(&workspace.recordings());
+    let mut command = workspace.cluster_session(&workspace.recordings());
     command.assert().failure().stderr(contains("another run"));
     assert!(draft.exists());
     drop(running);
@@ -813,7 +813,7 @@ fn a_damaged_result_of_a_cluster_is_named_in_one_line() {
     let mut damaged = 0;
     for rows in bouncelab_testkit::fuzz::corpus("rows") {
         fs::write(&file, rows).unwrap();
-        let output = workspace.from_cluster(&file).output().unwrap();
+        let output = workspace.cluster_session(&file).output().unwrap();
         if output.status.success() {
             continue;
         }
@@ -829,7 +829,7 @@ fn a_damaged_result_of_a_cluster_is_named_in_one_line() {
 fn results_of_a_cluster_take_no_settings() {
     let workspace = Workspace::new(&[]);
     let from = |more: &[&str]| {
-        let mut command = workspace.from_cluster(&workspace.recordings());
+        let mut command = workspace.cluster_session(&workspace.recordings());
         command.args(more).assert()
     };
     from(&["--ball", "tennis"])
