@@ -236,13 +236,15 @@ fn signals_end_in_order_and_leave_no_drafts() {
 #[cfg(unix)]
 fn ends_in_order(before: &str, signal: &str) {
     let folder = Folder::new();
-    let times = (0..400).map(|n| format!("{}\n", f64::from(n) * 0.3));
-    let times = times.collect::<Vec<_>>().concat();
+    // A drop, with draws that take seconds: the signal comes before they are done.
+    let impacts = bouncelab_testkit::strikes(4.4, 0.96).take(60);
+    let times = impacts.map(|impact| format!("{}\n", impact.time_s));
+    let times = times.collect::<String>();
     fs::write(folder.path("long.txt"), times).unwrap();
     let mut run = Plain::new("sh");
     run.args(["-c", &format!("{before} exec \"$0\" \"$@\"")])
         .arg(assert_cmd::cargo::cargo_bin("bouncelab"))
-        .args(["session", "long.txt", "--ball", "tennis", "--output", "s"]);
+        .args("session long.txt --ball tennis --draws 100000 --output s".split(' '));
     run.current_dir(folder.0.path())
         .stdout(Stdio::null())
         .stderr(Stdio::null());
