@@ -67,12 +67,9 @@ struct Id([u8; 16]);
 
 impl Id {
     fn of(name: &str, key: &Key) -> Self {
-        Self::of_text(name, &key.content.to_string(), &key.settings.to_string())
-    }
-
-    fn of_text(name: &str, content: &str, settings: &str) -> Self {
         // Hashes contain no line break, so that different parts always give different texts.
-        Self(hash(format!("{content}\n{settings}\n{name}").as_bytes()).half())
+        let text = format!("{}\n{}\n{name}", key.content, key.settings);
+        Self(hash(text.as_bytes()).half())
     }
 }
 
@@ -87,13 +84,7 @@ struct Line<'a, R> {
 #[derive(Deserialize)]
 struct Of {
     name: String,
-    key: KeyOf,
-}
-
-#[derive(Deserialize)]
-struct KeyOf {
-    content: String,
-    settings: String,
+    key: Key,
 }
 
 #[derive(Deserialize)]
@@ -244,13 +235,12 @@ impl Journal {
     /// # Errors
     /// As [`Journal::read`].
     pub fn all<R: DeserializeOwned>(&self, settings: &Hash) -> Result<Vec<R>> {
-        let settings = settings.to_string();
         let read = || -> std::io::Result<Vec<R>> {
             let mut reader = BufReader::new(File::open(&self.path)?);
             let (mut results, mut line) = (Vec::new(), Vec::new());
             while next_line(&mut reader, &mut line)? > 0 {
                 if let Some(text) = checked(&line)
-                    && serde_json::from_str::<Of>(text)?.key.settings == settings
+                    && serde_json::from_str::<Of>(text)?.key.settings == *settings
                 {
                     results.push(serde_json::from_str::<Held<R>>(text)?.result);
                 }
@@ -298,8 +288,7 @@ impl Scan {
             scan.is_foreign &= of.is_none();
             match of {
                 Some(Of { name, key }) => {
-                    let id = Id::of_text(&name, &key.content, &key.settings);
-                    scan.index.insert(id, scan.length);
+                    scan.index.insert(Id::of(&name, &key), scan.length);
                 }
                 None => scan.damaged += 1,
             }
