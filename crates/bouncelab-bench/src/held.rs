@@ -53,17 +53,26 @@ pub(crate) fn mean(values: impl Iterator<Item = f64> + Clone) -> f64 {
     values.sum::<f64>() / count
 }
 
+/// % of those of which this holds.
+pub(crate) fn percent(held: &[Held], is: fn(&Held) -> bool) -> f64 {
+    100.0 * held.iter().filter(|held| is(held)).count() as f64 / held.len() as f64
+}
+
+/// The middle value, the upper one of two; `None` without values.
+pub(crate) fn median(values: impl IntoIterator<Item = f64>) -> Option<f64> {
+    let mut values: Vec<f64> = values.into_iter().collect();
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied()
+}
+
 /// Number, % in the intervals of 68 and 95 %, rms of z, mean and rms of the deviation in %: cells of a table.
 pub(crate) fn cells(held: &[Held]) -> String {
-    let percent = |is: fn(&Held) -> bool| {
-        100.0 * held.iter().filter(|held| is(held)).count() as f64 / held.len() as f64
-    };
     let deviations = held.iter().map(|held| 100.0 * held.deviation);
     format!(
         "{} | {:.0} | {:.0} | {:.2} | {:+.1} | {:.1}",
         held.len(),
-        percent(|held| held.in68),
-        percent(|held| held.in95),
+        percent(held, |held| held.in68),
+        percent(held, |held| held.in95),
         rms(held.iter().map(|held| held.z)),
         mean(deviations.clone()),
         rms(deviations),

@@ -20,7 +20,7 @@ use bouncelab::{Diagnostic, Options, analyze, analyze_times};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-use crate::held::{Held, mean};
+use crate::held::{Held, mean, median, percent};
 use crate::scenario::{self, MAX_IMPACTS, Scenario};
 use crate::stated::Stated;
 use crate::world::SAMPLE_RATE_HZ;
@@ -179,10 +179,7 @@ fn report(name: &str, all: &[Fared]) {
             continue;
         }
         let share = |count: usize, of: usize| 100.0 * count as f64 / of as f64;
-        let holds =
-            |is: fn(&Held) -> bool| share(held.iter().filter(|held| is(held)).count(), held.len());
-        let mut sds: Vec<f64> = held.iter().map(|held| held.relative_sd).collect();
-        sds.sort_by(f64::total_cmp);
+        let sd = median(held.iter().map(|held| held.relative_sd));
         let mean_z = mean(held.iter().map(|held| held.z));
         let is_silent = |fared: &&Fared| {
             fared.warnings.is_empty() && fared.of[place].is_some_and(|held| !held.in95)
@@ -190,9 +187,9 @@ fn report(name: &str, all: &[Fared]) {
         println!(
             "| {name} | {} | {quantity} | {:.1} | {:.1} | {mean_z:.2} | {:.2} | {} | {} | {:.1} | {:.1} |",
             all.len(),
-            holds(|held| held.in68),
-            holds(|held| held.in95),
-            100.0 * sds.get(sds.len() / 2).copied().unwrap_or(f64::NAN),
+            percent(&held, |held| held.in68),
+            percent(&held, |held| held.in95),
+            100.0 * sd.unwrap_or(f64::NAN),
             all.len() - held.len(),
             all.iter().filter(|fared| !fared.numbered).count(),
             share(

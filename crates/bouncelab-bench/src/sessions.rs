@@ -18,7 +18,7 @@ use bouncelab::inference::{Measured, Posterior, Priors, infer};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use crate::held::{Held, mean, rms};
+use crate::held::{Held, mean, median, percent, rms};
 use crate::scenario::SHORTEST_FLIGHT_S;
 use crate::world::{GRAVITY_M_S2, Sphere, normal};
 use crate::{Result, of_seeds, seeded};
@@ -281,20 +281,16 @@ pub fn run(arguments: &[String]) -> Result {
     println!("|---|--:|--:|--:|--:|--:|--:|");
     for name in names {
         let of_name = all.iter().filter(|(it, _)| *it == name);
-        let (held, mut sds): (Vec<Held>, Vec<f64>) = of_name.map(|(_, answer)| *answer).unzip();
-        let percent = |is: fn(&Held) -> bool| {
-            100.0 * held.iter().filter(|held| is(held)).count() as f64 / held.len() as f64
-        };
+        let (held, sds): (Vec<Held>, Vec<f64>) = of_name.map(|(_, answer)| *answer).unzip();
         let z = held.iter().map(|held| held.z);
-        sds.sort_by(f64::total_cmp);
         println!(
             "| {name} | {} | {:.1} | {:.1} | {:.2} | {:.2} | {:.2e} |",
             held.len(),
-            percent(|held| held.in68),
-            percent(|held| held.in95),
+            percent(&held, |held| held.in68),
+            percent(&held, |held| held.in95),
             rms(z.clone()),
             mean(z),
-            sds[sds.len() / 2]
+            median(sds).unwrap_or(f64::NAN)
         );
     }
     let odd: Vec<bool> = outcomes.iter().filter_map(|it| it.is_odd_named).collect();

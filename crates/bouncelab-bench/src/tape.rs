@@ -27,7 +27,7 @@ use bouncelab::{Estimate, Options, analyze_times};
 use rayon::prelude::*;
 
 use crate::Result;
-use crate::held::{Held, cells, mean, rms};
+use crate::held::{Held, cells, mean, median, rms};
 use crate::recordings::of_cut;
 
 /// Standard uncertainty of a height by a ruler that the program assumes, m.
@@ -317,9 +317,7 @@ fn of_study(study: &Study, drops: &[(f64, Estimate, CurveEvidence)]) -> String {
         100 * heights.iter().filter(|it| is_in(it)).count() / heights.len().max(1)
     };
     let median_mm = |sd: fn(&(f64, Estimate, Estimate)) -> f64| {
-        let mut sds: Vec<f64> = heights.iter().map(sd).collect();
-        sds.sort_by(f64::total_cmp);
-        1e3 * sds[sds.len() / 2]
+        1e3 * median(heights.iter().map(sd)).unwrap_or(f64::NAN)
     };
     let zero = study.ruler_zero_m.map_or(String::new(), |zero| {
         let [low, high] = zero.interval95.map(|end| 1e3 * end);

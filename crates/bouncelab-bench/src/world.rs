@@ -117,6 +117,15 @@ fn coefficient(reynolds: f64) -> f64 {
     24.0 / reynolds * (1.0 + 0.150 * reynolds.powf(0.681)) + 0.407 / (1.0 + 8710.0 / reynolds)
 }
 
+/// What a ball has of matter.
+#[derive(Debug)]
+enum Matter {
+    /// Its mass, kg.
+    Mass((f64, f64)),
+    /// The density of a ball of one material, kg/m³.
+    Density((f64, f64)),
+}
+
 /// A kind of ball, as balls differ.
 #[derive(Debug)]
 pub(crate) struct Kind {
@@ -124,9 +133,7 @@ pub(crate) struct Kind {
     pub(crate) name: &'static str,
     pub(crate) stated: fn(f64) -> String,
     diameter_m: (f64, f64),
-    /// Mass, kg, or density, kg/m³, of a solid ball.
-    mass_kg: (f64, f64),
-    density_kg_m3: Option<(f64, f64)>,
+    matter: Matter,
     drag: (f64, f64),
     /// Contact time at 1 m/s, s. That of a solid ball goes with v^(-1/5) (H. Hertz, 1881).
     contact_s: (f64, f64),
@@ -142,8 +149,7 @@ pub(crate) const KINDS: [Kind; 6] = [
         name: "table-tennis",
         stated: |_| "table-tennis-40".to_owned(),
         diameter_m: (40.0e-3, 40.6e-3),
-        mass_kg: (2.67e-3, 2.77e-3),
-        density_kg_m3: None,
+        matter: Matter::Mass((2.67e-3, 2.77e-3)),
         drag: (0.95, 1.06),
         contact_s: (0.7e-3, 1.4e-3),
         restitution: (0.80, 0.95),
@@ -153,8 +159,7 @@ pub(crate) const KINDS: [Kind; 6] = [
         name: "tennis",
         stated: |_| "tennis".to_owned(),
         diameter_m: (65.4e-3, 68.6e-3),
-        mass_kg: (56.0e-3, 59.4e-3),
-        density_kg_m3: None,
+        matter: Matter::Mass((56.0e-3, 59.4e-3)),
         drag: (1.1, 1.6),
         contact_s: (4e-3, 7e-3),
         restitution: (0.68, 0.82),
@@ -164,8 +169,7 @@ pub(crate) const KINDS: [Kind; 6] = [
         name: "basketball",
         stated: |_| "basketball".to_owned(),
         diameter_m: (238.7e-3, 245.1e-3),
-        mass_kg: (0.580, 0.620),
-        density_kg_m3: None,
+        matter: Matter::Mass((0.580, 0.620)),
         drag: (0.95, 1.25),
         contact_s: (10e-3, 20e-3),
         restitution: (0.74, 0.88),
@@ -175,8 +179,7 @@ pub(crate) const KINDS: [Kind; 6] = [
         name: "golf",
         stated: |_| "golf".to_owned(),
         diameter_m: (42.67e-3, 42.80e-3),
-        mass_kg: (45.2e-3, 45.93e-3),
-        density_kg_m3: None,
+        matter: Matter::Mass((45.2e-3, 45.93e-3)),
         drag: (0.9, 1.2),
         contact_s: (0.4e-3, 0.7e-3),
         restitution: (0.78, 0.93),
@@ -186,8 +189,7 @@ pub(crate) const KINDS: [Kind; 6] = [
         name: "marble",
         stated: |diameter_m| format!("marble:{diameter_m}"),
         diameter_m: (14e-3, 25e-3),
-        mass_kg: (0.0, 0.0),
-        density_kg_m3: Some((2450.0, 2550.0)),
+        matter: Matter::Density((2450.0, 2550.0)),
         drag: (0.95, 1.06),
         contact_s: (0.05e-3, 0.15e-3),
         restitution: (0.60, 0.95),
@@ -197,8 +199,7 @@ pub(crate) const KINDS: [Kind; 6] = [
         name: "steel",
         stated: |diameter_m| format!("steel:{diameter_m}"),
         diameter_m: (8e-3, 30e-3),
-        mass_kg: (0.0, 0.0),
-        density_kg_m3: Some((7750.0, 7850.0)),
+        matter: Matter::Density((7750.0, 7850.0)),
         drag: (0.95, 1.06),
         contact_s: (0.04e-3, 0.15e-3),
         restitution: (0.60, 0.96),
@@ -268,9 +269,9 @@ impl World {
     /// A ball of this kind with one of the ordinary laws.
     pub(crate) fn of(kind: &'static Kind, rng: &mut ChaCha8Rng) -> Self {
         let diameter_m = between(kind.diameter_m, rng);
-        let mass_kg = match kind.density_kg_m3 {
-            Some(density) => between(density, rng) * PI / 6.0 * diameter_m.powi(3),
-            None => between(kind.mass_kg, rng),
+        let mass_kg = match kind.matter {
+            Matter::Density(density) => between(density, rng) * PI / 6.0 * diameter_m.powi(3),
+            Matter::Mass(mass) => between(mass, rng),
         };
         let drag = between(kind.drag, rng);
         Self {
@@ -288,9 +289,9 @@ impl World {
     }
 
     fn contact_s(&self, speed_m_s: f64) -> f64 {
-        match self.kind.density_kg_m3 {
-            Some(_) => self.contact_s * speed_m_s.powf(-0.2),
-            None => self.contact_s,
+        match self.kind.matter {
+            Matter::Density(_) => self.contact_s * speed_m_s.powf(-0.2),
+            Matter::Mass(_) => self.contact_s,
         }
     }
 

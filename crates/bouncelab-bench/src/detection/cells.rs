@@ -2,6 +2,7 @@
 
 use super::drops::{Cell, Recording, cells};
 use super::reliability::Reliability;
+use crate::held::median;
 use bouncelab::detection::Detection;
 
 /// An impact is found if the times agree within this, in seconds, after the middle of the errors
@@ -64,7 +65,7 @@ fn row(cell: &Cell, drops: u64, reliability: &mut Reliability) -> String {
         tally.detected,
         tally.drops,
         tally.false_drops,
-        median(&mut tally.errors_s).map_or("-".into(), |e| format!("{:.1} us", 1e6 * e)),
+        median(tally.errors_s).map_or("-".into(), |e| format!("{:.1} us", 1e6 * e)),
     )
 }
 
@@ -75,11 +76,6 @@ fn share(part: usize, whole: usize) -> f64 {
     } else {
         part as f64 / whole as f64
     }
-}
-
-pub(crate) fn median(values: &mut [f64]) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied()
 }
 
 impl Tally {
@@ -98,14 +94,14 @@ impl Tally {
         self.false_drops += trains.len() - true_trains;
         self.detected += usize::from(true_trains == 1);
         for train in trains {
-            let mut errors: Vec<f64> = train
+            let errors: Vec<f64> = train
                 .impacts()
                 .iter()
                 .filter_map(|impact| nearest(&truth, impact.onset.time_s))
                 .collect();
             self.made_up += train.impacts().len() - errors.len();
             reliability.add(train, errors.len());
-            let Some(middle) = median(&mut errors) else {
+            let Some(middle) = median(errors) else {
                 continue;
             };
             for impact in train.impacts() {

@@ -1,9 +1,9 @@
 //! Errors of the times: against the Cramer-Rao bound, against their stated standard errors, and
 //! against loudness.
 
-use super::cells::median;
 use super::drops::{detect, strikes, usual};
 use super::recorder::record;
+use crate::held::median;
 use bouncelab::synth::{BitDepth, Scene, Voice};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -150,11 +150,11 @@ fn print_lateness(voice: &str, timed: &[Vec<Timed>]) {
             crossings.extend(impact.crossed_s.zip(loudest.crossed_s).map(|(a, b)| a - b));
         }
     }
-    for (step, (mut errors, mut crossings)) in later {
+    for (step, (errors, crossings)) in later {
         if errors.len() < FEWEST {
             continue;
         }
-        if let (Some(late_s), Some(crossed_s)) = (median(&mut errors), median(&mut crossings)) {
+        if let (Some(late_s), Some(crossed_s)) = (median(errors), median(crossings)) {
             println!(
                 "| {voice} | {:.0} dB | {:+.1} us | {:+.1} us |",
                 f64::from(step) * STEP_DB,
@@ -186,10 +186,10 @@ fn slope(samples: &[f32], first: usize, end: usize) -> f64 {
 
 fn summary(timed: &[Vec<Timed>]) -> String {
     let flights: Vec<Flight> = timed.iter().flat_map(|drop| flights(drop)).collect();
-    let mut errors: Vec<f64> = flights.iter().map(|t| t.error.abs()).collect();
-    let mut over: Vec<f64> = flights.iter().map(|t| t.error.abs() / t.bound).collect();
+    let error_s = median(flights.iter().map(|t| t.error.abs()));
+    let over = median(flights.iter().map(|t| t.error.abs() / t.bound));
     let within = flights.iter().filter(|t| t.error.abs() < t.sigma).count();
-    let (Some(error_s), Some(over)) = (median(&mut errors), median(&mut over)) else {
+    let (Some(error_s), Some(over)) = (error_s, over) else {
         return "0 | - | - | - | - |".into();
     };
     format!(
@@ -221,8 +221,8 @@ fn halves(timed: &[Vec<Timed>]) -> String {
         100.0 * meant.count() as f64 / half.len().max(1) as f64
     };
     let error = each(&|half| {
-        let mut errors: Vec<f64> = half.iter().map(|flight| flight.error.abs()).collect();
-        median(&mut errors).map_or("-".into(), |error| format!("{:.2} us", 1e6 * error))
+        let error_s = median(half.iter().map(|flight| flight.error.abs()));
+        error_s.map_or("-".into(), |error_s| format!("{:.2} us", 1e6 * error_s))
     });
     let within = each(&|half| format!("{:.0} %", percent(half, &|score| score < 1.0)));
     let beyond = each(&|half| format!("{:.1} %", percent(half, &|score| score > 3.0)));
