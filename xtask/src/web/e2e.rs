@@ -77,7 +77,7 @@ pub(crate) fn class() -> Result {
     run_command(command.env("BOUNCELAB_PROGRAM", &program))
 }
 
-/// Runs the test of the page in WebKit.
+/// Runs the test of the page in `WebKit`.
 pub(crate) fn webkit() -> Result {
     page()?;
     npm(&["run", "webkit"])

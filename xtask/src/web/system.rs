@@ -101,7 +101,7 @@ pub(crate) fn has_firefox() -> bool {
     are_there() || install(&packages, "the end-to-end tests in Firefox") && are_there()
 }
 
-/// Whether there is WebKitGTK with what drives it, and a screen without hardware; they are installed where that is
+/// Whether there is `WebKitGTK` with what drives it, and a screen without hardware; they are installed where that is
 /// allowed.
 pub(crate) fn has_webkit() -> bool {
     let are_there = || {
