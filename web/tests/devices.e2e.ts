@@ -1,5 +1,5 @@
 /** Phones and browsers as they are: what the page says of them, and what it keeps in spite of them. */
-import { appendFileSync, cpSync, readFileSync } from 'node:fs';
+import { appendFileSync, cpSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import type { Preparation } from './harness/browser.ts';
@@ -109,6 +109,8 @@ test('a browser that forgets after a week says so where something is kept', asyn
 test('a newer page does not throw away what is open', async () => {
   const copy = join(folder(), 'dist');
   cpSync(join(import.meta.dirname, '../dist'), copy, { recursive: true });
+  // Its compressed copy would be sent in place of what is written below.
+  rmSync(join(copy, 'sw.js.br'));
   const site = await Site.open(copy);
   const { page } = await open(here.browser, site.url);
   await page.evaluate(async () => {

@@ -19,7 +19,7 @@ pub enum Input {
     /// A list of impact times.
     Times(TimeList),
     /// Samples without times, which are a recording at the rate of
-    /// [`DetectionOptions::rate_hz`](bouncelab::DetectionOptions::rate_hz).
+    /// [`DetectionOptions::rate_hz`](bouncelab::detection::DetectionOptions::rate_hz).
     Samples(Samples),
 }
 
