@@ -102,12 +102,12 @@ pub(crate) fn install_into(folder: &Path, wheel: &Path) -> Result {
 }
 
 /// Checks documents against the schemas that check-jsonschema has under these names.
-pub(crate) fn validate(documents: &[(&str, &str)]) -> Result {
+pub(crate) fn validate(documents: impl IntoIterator<Item = (&'static str, PathBuf)>) -> Result {
     let venv = first_venv()?;
-    documents.iter().try_for_each(|(schema, document)| {
+    documents.into_iter().try_for_each(|(schema, document)| {
         let mut check = venv.tool("check-jsonschema");
         check.args(["--builtin-schema", schema]);
-        run_command(check.arg(root().join(document)))
+        run_command(check.arg(document))
     })
 }
 

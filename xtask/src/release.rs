@@ -27,13 +27,10 @@ pub(crate) const ABOUT: &str =
 /// All crates and packages have the same one.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// What other programs read by a schema, with its name.
-const BY_SCHEMA: [(&str, &str); 8] = [
+/// What other programs read by a schema, with its name, besides the workflow files.
+const BY_SCHEMA: [(&str, &str); 5] = [
     ("vendor.citation-file-format", "CITATION.cff"),
     ("vendor.dependabot", ".github/dependabot.yml"),
-    ("vendor.github-workflows", ".github/workflows/check.yml"),
-    ("vendor.github-workflows", ".github/workflows/release.yml"),
-    ("vendor.github-workflows", ".github/workflows/wheels.yml"),
     (
         "vendor.github-issue-config",
         ".github/ISSUE_TEMPLATE/config.yml",
@@ -400,7 +397,12 @@ pub(crate) fn check() -> Result {
             python::MISSING
         ));
     } else {
-        python::validate(&BY_SCHEMA)?;
+        let workflows = files(&root().join(".github/workflows"))?;
+        let workflows = workflows
+            .into_iter()
+            .map(|path| ("vendor.github-workflows", path));
+        let by_schema = BY_SCHEMA.map(|(schema, document)| (schema, root().join(document)));
+        python::validate(by_schema.into_iter().chain(workflows))?;
     }
     if let Some(audit) = python::program("zizmor") {
         let mut audit = Command::new(audit);

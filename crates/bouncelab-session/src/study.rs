@@ -216,7 +216,8 @@ impl Collected {
             about.left_out.extend(one.left_out.as_deref().map(of_drop));
             if let Some(studied) = one.studied {
                 indices.push(drops.len());
-                noted.push(studied.noted(&one.drop, recordings));
+                let factors = &recordings[one.drop.recording].metadata.factors;
+                noted.push(studied.noted(Arc::clone(&one.drop.name), factors));
             }
             drops.push(one.drop);
         }
@@ -280,13 +281,8 @@ pub fn compared_drops<'a>(
         .filter(|drop| left_out(drop, false, translator).is_none());
     let noted = |drop: DropRecord| {
         let scatter = drop.quantities.get("restitution_scatter").copied();
-        let Studied { evidence, scatter } = Studied::of(drop.posterior?, scatter.as_ref())?;
-        Some(NotedDrop {
-            name: Arc::default(),
-            factors,
-            evidence,
-            scatter,
-        })
+        let studied = Studied::of(drop.posterior?, scatter.as_ref())?;
+        Some(studied.noted(Arc::default(), factors))
     };
     compared.filter_map(noted).collect()
 }
@@ -305,11 +301,10 @@ impl Studied {
         })
     }
 
-    fn noted<'a>(self, drop: &SessionDrop, recordings: &'a [KnownRecording]) -> NotedDrop<'a> {
-        let metadata = &recordings[drop.recording].metadata;
+    fn noted(self, name: Arc<str>, factors: &BTreeMap<String, String>) -> NotedDrop<'_> {
         NotedDrop {
-            name: Arc::clone(&drop.name),
-            factors: &metadata.factors,
+            name,
+            factors,
             evidence: self.evidence,
             scatter: self.scatter,
         }

@@ -146,23 +146,16 @@ impl DragLaw {
     pub(crate) fn scaled(&self, factor: f64) -> Result<Self> {
         const PER_DECADE: u32 = 48;
         const DECADES: u32 = 6;
-        let times = |point: (f64, f64)| (point.0, point.1 * factor);
-        let points: Vec<(f64, f64)> = match self {
+        let reynolds: Vec<f64> = match self {
             Self::None => return Ok(Self::None),
             Self::Constant(coefficient) => return Ok(Self::Constant(coefficient * factor)),
             Self::Standard => (0..=PER_DECADE * DECADES)
                 .map(|place| 10_f64.powf(f64::from(place) / f64::from(PER_DECADE)))
-                .map(|reynolds| (reynolds, 24.0 / reynolds * standard_over_stokes(reynolds)))
-                .map(times)
                 .collect(),
-            Self::Table(table) => {
-                let reynolds = table.reynolds.iter().copied();
-                reynolds
-                    .zip(table.coefficients.iter().copied())
-                    .map(times)
-                    .collect()
-            }
+            Self::Table(table) => table.reynolds.to_vec(),
         };
+        let point = |reynolds: f64| Ok((reynolds, factor * self.coefficient(reynolds)?));
+        let points: Vec<(f64, f64)> = reynolds.into_iter().map(point).collect::<Result<_>>()?;
         Ok(Self::Table(DragTable::new(&points)?))
     }
 

@@ -22,7 +22,16 @@ from bouncelab._errors import InputError
 from bouncelab._isolated import Isolated
 from bouncelab._report import Reported
 from bouncelab._paths import local
-from bouncelab._settings import OF_ONE_RECORDING, Options, count, flag, number, settings_of, text, texts
+from bouncelab._settings import (
+    Options,
+    count,
+    flag,
+    number,
+    refuse_options_of_one_recording,
+    settings_of,
+    text,
+    texts,
+)
 from bouncelab._table import Table
 
 if TYPE_CHECKING:
@@ -164,8 +173,7 @@ def session(
     >>> study
     <bouncelab.Study: 4 drops in 2 groups>
     """
-    if not OF_ONE_RECORDING.isdisjoint(options):
-        raise InputError("channel, band_hz, rate_hz, accept, exclude_s and include_s are of single recordings; use analyze")
+    refuse_options_of_one_recording(options)
     settings = settings_of(options)
     report = None if progress is None else Bars(progress)
     with ExitStack() as folders:

@@ -215,7 +215,14 @@ GROUPS: dict[str, dict[str, object]] = {
 }
 
 #: The options of single recordings, which those of many do not have.
-OF_ONE_RECORDING = GROUPS["detection"].keys() | GROUPS["edits"].keys()
+OF_ONE_RECORDING = (*GROUPS["detection"], *GROUPS["edits"])
+
+
+def refuse_options_of_one_recording(options: Iterable[str]) -> None:
+    """Refuse options of single recordings where there are many."""
+    if not set(OF_ONE_RECORDING).isdisjoint(options):
+        *others, last = OF_ONE_RECORDING
+        raise InputError(f"{', '.join(others)} and {last} are of single recordings; use analyze")
 
 
 def analyzer(**options: Unpack[Options]) -> _core.Analyzer:

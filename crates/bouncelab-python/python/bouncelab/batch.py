@@ -22,7 +22,15 @@ from bouncelab import _core
 from bouncelab._errors import BouncelabError, InputError, RecordingNotFoundError, imported
 from bouncelab._isolated import Outcome, child_process
 from bouncelab._paths import fetched, files_at, is_url
-from bouncelab._settings import OF_ONE_RECORDING, Options, flag, number, settings_of, text, texts
+from bouncelab._settings import (
+    Options,
+    flag,
+    number,
+    refuse_options_of_one_recording,
+    settings_of,
+    text,
+    texts,
+)
 
 if TYPE_CHECKING:
     import pandas
@@ -219,8 +227,7 @@ def kernel(settings: KernelOptions | None = None, *, root: str | PathLike[str] =
     given = dict(settings or {})
     pattern, limit_s = given.pop("pattern", None), given.pop("time_limit_s", None)
     implausible = flag("allow_implausible", given.pop("allow_implausible", False))
-    if not OF_ONE_RECORDING.isdisjoint(given):
-        raise InputError("channel, band_hz, rate_hz, accept, exclude_s and include_s are of single recordings; use analyze")
+    refuse_options_of_one_recording(given)
     stated = settings_of(cast(Options, given))
     options = {
         "pattern": None if pattern is None else text("pattern", pattern),

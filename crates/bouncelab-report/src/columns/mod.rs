@@ -41,7 +41,7 @@ pub use record::{DropRecord, ImpactRecord, PosteriorRecord};
 /// The language of texts in tables, whatever that of the reader: tables are for programs.
 pub static ENGLISH: LazyLock<Translator> = LazyLock::new(Translator::english);
 
-/// Diagnostics as text in a cell; `None` if there are none.
+/// Diagnostics as text in a cell; `None` without a diagnostic.
 pub fn sentences(diagnostics: &[Diagnostic]) -> Option<String> {
     let sentences = diagnostics.iter().map(|it| ENGLISH.diagnostic(it));
     (!diagnostics.is_empty()).then(|| ENGLISH.in_one_line(sentences))

@@ -1,4 +1,4 @@
-//! What a person reads first of a drop: the answer with its speed and ball, or why there is none.
+//! What a person reads first of a drop: the answer with its speed and ball, or the reason that the inference gives no answer.
 
 use std::fmt;
 

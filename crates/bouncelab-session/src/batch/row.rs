@@ -16,7 +16,7 @@ use crate::metadata::{KnownRecording, Metadata};
 use crate::record::Record;
 use crate::recordings::RecordingFile;
 
-/// The result of one recording, or why there is none. It depends only on the content of the recording, its name, the notes
+/// The result of one recording, or the reason that the analysis was refused. It depends only on the content of the recording, its name, the notes
 /// about it and the settings.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Row {

@@ -60,7 +60,7 @@ fn agree(whole: &Recording, damaged: &Recording) -> bool {
     damaged.len().is_multiple_of(whole.len()) && whole.iter().cycle().zip(&damaged).all(within)
 }
 
-/// What is said of all drops.
+/// The estimates of all drops that are compared.
 fn numbers(recording: &Recording) -> Vec<Option<Estimate>> {
     let of_drop =
         recording

@@ -86,7 +86,7 @@ pub fn let_decoders_panic() {
 ///
 /// # Panics
 ///
-/// If there are none.
+/// If the archive has no input for the target.
 pub fn corpus(target: &str) -> Vec<Vec<u8>> {
     const ARCHIVE: &[u8] = include_bytes!("../../../../fuzz/corpus.tar.gz");
     let folder = Path::new("corpus").join(target);

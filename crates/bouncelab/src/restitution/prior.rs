@@ -16,8 +16,8 @@ use super::smooth::KNOTS;
 use crate::error::{Error, Quantity, Result, positive, within};
 use crate::simd::Lanes;
 
-/// Least standard deviation of ln e at a speed, as much as the best surface scatters: no prior is exact.
-const LEAST_SD: f64 = 2e-4;
+/// Minimum standard deviation of ln e at a speed, as much as the best surface scatters: no prior is exact.
+const MIN_SD: f64 = 2e-4;
 
 /// Change of ln v over which deviations with stated standard deviations are alike: a factor e in speed.
 const ALIKE: f64 = 1.0;
@@ -120,7 +120,7 @@ impl RestitutionPrior {
             } else {
                 (-0.5 * apart * apart).exp()
             };
-            sum * alike + LEAST_SD * LEAST_SD
+            sum * alike + MIN_SD * MIN_SD
         };
         let variance = covariance(REFERENCE, REFERENCE);
         let by_level: [f64; KNOTS] =
@@ -313,7 +313,7 @@ mod tests {
             let (mean, sd) = (0.9 - 0.1 * share, 0.009 + 0.011 * share);
             let (found, found_sd) = moments(prior, speed_m_s);
             assert!((found - mean.ln()).abs() < 1e-12, "{speed_m_s}");
-            let floor = LEAST_SD.hypot(sd / mean);
+            let floor = MIN_SD.hypot(sd / mean);
             assert!(
                 (found_sd / floor - 1.0).abs() < 1e-9,
                 "{speed_m_s}: {found_sd}"
@@ -333,7 +333,7 @@ mod tests {
         for speed_m_s in [0.4, 1.0, 2.2] {
             let sd = 0.01_f64.hypot(tilt(speed_m_s)) / 0.9;
             let (_, found) = moments(&prior, speed_m_s);
-            assert!((found - LEAST_SD.hypot(sd)).abs() < 1e-12, "{speed_m_s}");
+            assert!((found - MIN_SD.hypot(sd)).abs() < 1e-12, "{speed_m_s}");
         }
     }
 

@@ -288,7 +288,8 @@ impl Spread {
         }
     }
 
-    /// The same with the scatter of a mean of `count` drops in place of `now`, of which so many means are known.
+    /// The same with the scatter of a mean of `count` drops in place of `now`, from whose deviations `means`
+    /// means were estimated.
     pub(super) fn with_drops(&self, now: usize, count: usize, means: usize) -> Self {
         Self {
             scatter: self.scatter * now as f64 / count as f64,
