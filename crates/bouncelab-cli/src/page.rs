@@ -64,7 +64,7 @@ mod tests {
         let written = run(&arguments);
         let Ok(files) = serve::files() else {
             let reason = written.unwrap_err().to_string();
-            assert!(reason.contains("cargo xtask web"), "{reason}");
+            assert!(reason.contains("cargo xtask install"), "{reason}");
             assert!(!folder.exists());
             return;
         };
