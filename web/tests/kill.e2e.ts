@@ -10,11 +10,11 @@ import { keepAs } from './support/page.ts';
 import { drop, hearing } from './support/sounds.ts';
 
 let site: Site;
-let heard: string;
+let played: string;
 
 beforeAll(async () => {
   site = await Site.open();
-  heard = drop('killed');
+  played = drop('killed');
 });
 afterAll(() => site.close());
 
@@ -168,7 +168,7 @@ async function live(profile: string, moment: Moment, lives: Life[]): Promise<voi
     isKilled = true;
     browser.kill();
   };
-  await hearing(heard)(browser.context);
+  await hearing(played)(browser.context);
   await check(browser.context, lives);
   const life: Life = { beganAt: Date.now(), savedS: 0 };
   lives.push(life);

@@ -9,14 +9,14 @@ import { drop, hearing, samplesOf, TRUTH } from './support/sounds.ts';
 import { wordsOf } from './support/words.ts';
 
 let site: Site;
-let heard: string;
+let played: string;
 /** It bounces for ten seconds after ten impacts, however late a busy page shows them. */
 let long: string;
 let browser: Browser | undefined;
 
 beforeAll(async () => {
   site = await Site.open();
-  heard = drop('microphone');
+  played = drop('microphone');
   long = drop('long', 0.965);
 });
 afterAll(() => site.close());
@@ -50,7 +50,7 @@ type Announced = typeof globalThis & { announced: { spoken: string[]; vibrations
 
 /** Lets the pages of a context hear a drop, and remember what they speak and how often they vibrate. */
 const announced: Preparation = async (context) => {
-  await hearing(heard)(context);
+  await hearing(played)(context);
   await context.addInitScript(() => {
     const announced = { spoken: [] as string[], vibrations: 0 };
     class Utterance {
@@ -94,7 +94,7 @@ test('a drop is heard, ends by itself, and its result is true within its uncerta
   const kepts = await stored(page);
   expect(wav.samples.length).toBe(kepts.length);
   expect(wav.samples.every((sample, i) => sample === kepts[i])).toBe(true);
-  expect(likeness(wav, samplesOf(heard))).toBeGreaterThan(0.95);
+  expect(likeness(wav, samplesOf(played))).toBeGreaterThan(0.95);
 });
 
 test('if it is wanted, the page vibrates when the ball rests and speaks the answer, once', async () => {
@@ -190,7 +190,7 @@ test('a computer without a microphone says so', async () => {
 });
 
 test('a browser whose sound never starts is not waited for', async () => {
-  browser = await launch({ microphone: { file: heard } });
+  browser = await launch({ microphone: { file: played } });
   const context = await newContext(browser, { locale: 'en-GB' });
   await context.addInitScript(() => {
     AudioContext.prototype.resume = () => new Promise(() => undefined);
@@ -245,7 +245,7 @@ test('a page that is closed while it listens loses nothing', async () => {
 });
 
 test('a full storage is reported, and the recording can still be saved whole', async () => {
-  browser = await launch({ microphone: { file: heard } });
+  browser = await launch({ microphone: { file: played } });
   const context = await newContext(browser, { locale: 'en-GB' });
   await context.addInitScript(() => {
     const put = IDBObjectStore.prototype.put;

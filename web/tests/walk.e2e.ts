@@ -114,8 +114,8 @@ const nameless = (snapshot: string): string[] =>
 test('a screen reader finds its way at the start by roles and names', async () => {
   const { page } = await open(here.browser, here.url);
   await page.getByRole('radio').last().waitFor();
-  const heard = await page.locator('body').ariaSnapshot();
-  expect(nameless(heard)).toEqual([]);
+  const outline = await page.locator('body').ariaSnapshot();
+  expect(nameless(outline)).toEqual([]);
   for (const said of [
     'banner',
     'navigation "Pages"',
@@ -130,14 +130,14 @@ test('a screen reader finds its way at the start by roles and names', async () =
     'button "try the demo"',
     'contentinfo',
   ]) {
-    expect(heard).toContain(`- ${said}`);
+    expect(outline).toContain(`- ${said}`);
   }
   await page.context().close();
 });
 
 test('a screen reader reads the result, and is told of what changes', async () => {
   const { page } = await open(here.browser, here.url, {}, announcing);
-  const heard = (role: 'main' | 'region' | 'tabpanel', name?: string): Promise<string> =>
+  const outline = (role: 'main' | 'region' | 'tabpanel', name?: string): Promise<string> =>
     page.getByRole(role, name === undefined ? {} : { name }).ariaSnapshot();
   const told = async (what: RegExp): Promise<number> =>
     (await announced(page)).filter((words) => what.test(words)).length;
@@ -147,20 +147,20 @@ test('a screen reader reads the result, and is told of what changes', async () =
   expect(await told(/It fell from [\d.]+.±.[\d.]+.cm/)).toBe(1);
 
   await page.locator('#figure .uplot').first().waitFor();
-  const main = await heard('main');
+  const main = await outline('main');
   expect(nameless(main)).toEqual([]);
   for (const said of ['region "Waveform"', 'group "Which ball?"', 'region "Known quantities"']) {
     expect(main).toContain(`- ${said}`);
   }
-  expect(await heard('region', 'Result')).toMatch(/keeps.*±.*It fell from.*±/s);
-  expect(await heard('region', 'Figures')).toMatch(
+  expect(await outline('region', 'Result')).toMatch(/keeps.*±.*It fell from.*±/s);
+  expect(await outline('region', 'Figures')).toMatch(
     /tablist "Figures".*tab "Restitution" \[selected\]/s,
   );
   // A figure has a sentence, and each of its panels a name.
-  expect(await heard('tabpanel', 'Restitution')).toMatch(
+  expect(await outline('tabpanel', 'Restitution')).toMatch(
     /figure "Restitution is .*img "restitution: /s,
   );
-  expect(await heard('region', 'Keep')).toMatch(/textbox "Name".*button "Keep this drop"/s);
+  expect(await outline('region', 'Keep')).toMatch(/textbox "Name".*button "Keep this drop"/s);
 
   await keepAs(page, 'Anna');
   expect(await told(/^Kept as “Anna”\./)).toBe(1);

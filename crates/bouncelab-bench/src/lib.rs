@@ -16,6 +16,7 @@ pub mod damage;
 pub mod detection;
 pub mod drop_sounds;
 pub mod held;
+mod independent;
 pub mod laboratory;
 pub mod misfit;
 pub mod net;
@@ -25,7 +26,6 @@ pub mod sessions;
 pub mod stated;
 mod tape;
 pub mod verdicts;
-mod world;
 
 use bouncelab::inference::{InferenceOptions, SamplerConfig};
 use rayon::prelude::*;

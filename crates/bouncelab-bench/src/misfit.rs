@@ -21,9 +21,9 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 use crate::held::{Held, mean, median, percent};
+use crate::independent::SAMPLE_RATE_HZ;
 use crate::scenario::{self, MAX_IMPACTS, Scenario};
 use crate::stated::Stated;
-use crate::world::SAMPLE_RATE_HZ;
 use crate::{Result, of_seeds, seeded};
 
 /// What is asked: the restitution at the first impact, which no flight shows, and in the middle of the speeds detected, the
@@ -32,13 +32,13 @@ const QUANTITIES: [&str; 4] = ["e", "e in the middle", "h0", "time until rest"];
 
 /// A drop to be analysed, and the truth.
 pub(crate) struct Case {
-    pub(crate) heard: Heard,
+    pub(crate) observed: Observed,
     pub(crate) options: Options,
     pub(crate) truth: Truth,
 }
 
 /// What is known of its impacts.
-pub(crate) enum Heard {
+pub(crate) enum Observed {
     /// Their times, s.
     Times(Vec<f64>),
     /// Their sound.
@@ -111,9 +111,9 @@ pub struct Fared {
 
 impl Fared {
     fn of(case: &Case) -> Self {
-        let result = match &case.heard {
-            Heard::Times(times_s) => Ok(analyze_times(times_s, &case.options)),
-            Heard::Sound(samples) => analyze(samples, SAMPLE_RATE_HZ, &case.options),
+        let result = match &case.observed {
+            Observed::Times(times_s) => Ok(analyze_times(times_s, &case.options)),
+            Observed::Sound(samples) => analyze(samples, SAMPLE_RATE_HZ, &case.options),
         };
         let Ok(Recording {
             drops, diagnostics, ..

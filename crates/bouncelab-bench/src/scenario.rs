@@ -11,7 +11,7 @@ use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 
-use crate::misfit::{Case, Heard, Truth};
+use crate::misfit::{Case, Observed, Truth};
 
 /// What differs from the model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -278,7 +278,7 @@ impl Drop {
     /// It, as a list of times to be analysed with these options.
     pub(crate) fn case(self, options: Options) -> Case {
         Case {
-            heard: Heard::Times(self.times_s.clone()),
+            observed: Observed::Times(self.times_s.clone()),
             options,
             truth: Truth {
                 middle_m_s: (self.first_impact_m_s * self.slowest_m_s).sqrt(),

@@ -19,8 +19,8 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use crate::held::{Held, mean, median, percent, rms};
+use crate::independent::{GRAVITY_M_S2, Sphere, normal};
 use crate::scenario::SHORTEST_FLIGHT_S;
-use crate::world::{GRAVITY_M_S2, Sphere, normal};
 use crate::{Result, of_seeds, seeded};
 
 const DROPS: usize = 30;
@@ -49,7 +49,7 @@ impl Floor {
 }
 
 /// What holds for a study.
-struct World {
+struct TrueStudy {
     floors: [Floor; 2],
     between_drops: f64,
     operators: [f64; 2],
@@ -58,7 +58,7 @@ struct World {
     zero_m: f64,
 }
 
-impl World {
+impl TrueStudy {
     fn drawn(options: &Options, rng: &mut ChaCha8Rng) -> Self {
         let mut floor = || Floor {
             at_rest: 0.80 + 0.18 * rng.random::<f64>(),
@@ -129,7 +129,7 @@ struct SimulatedDrop {
 
 /// The drops of a study, and what holds for it.
 struct Simulated {
-    world: World,
+    truth: TrueStudy,
     drops: Vec<SimulatedDrop>,
 }
 
@@ -137,7 +137,7 @@ impl Simulated {
     fn new(seed: u64) -> Self {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let options = Options::default();
-        let world = World::drawn(&options, &mut rng);
+        let truth = TrueStudy::drawn(&options, &mut rng);
         // In every other study.
         let odd = (seed % 2 == 1).then(|| rng.random_range(0..DROPS));
         let mut drops = Vec::new();
@@ -146,16 +146,16 @@ impl Simulated {
             let (on, operator) = (number % 2, number / 2 % 2);
             let of_ball = if is_odd { ANOTHER_BALL } else { 0.0 };
             let level =
-                world.between_drops * normal(&mut rng) + world.operators[operator] + of_ball;
+                truth.between_drops * normal(&mut rng) + truth.operators[operator] + of_ball;
             // A drop of few impacts is made again.
             let (height_m, times_s) = loop {
                 let height_m = 0.15 * (1.0_f64 / 0.15).powf(rng.random());
-                let times_s = world.times_s(&world.floors[on], level, height_m, &mut rng);
+                let times_s = truth.times_s(&truth.floors[on], level, height_m, &mut rng);
                 if times_s.len() >= MIN_IMPACTS {
                     break (height_m, times_s);
                 }
             };
-            let reading_m = height_m + world.zero_m + STATED_SD_M / 2_f64.sqrt() * normal(&mut rng);
+            let reading_m = height_m + truth.zero_m + STATED_SD_M / 2_f64.sqrt() * normal(&mut rng);
             let is_stated = number % 4 < 2;
             let priors = Priors {
                 drop_height_m: is_stated.then_some(Measured {
@@ -187,7 +187,7 @@ impl Simulated {
                 });
             }
         }
-        Self { world, drops }
+        Self { truth, drops }
     }
 
     fn study(&self, speed_m_s: f64) -> Option<Study> {
@@ -206,7 +206,7 @@ impl Simulated {
         let mut answers = Vec::new();
         for (speed_m_s, of_group, of_difference) in ASKED {
             let study = self.study(speed_m_s)?;
-            let truths = [0, 1].map(|floor| self.world.floors[floor].at(speed_m_s));
+            let truths = [0, 1].map(|floor| self.truth.floors[floor].at(speed_m_s));
             for (group, truth) in study.groups.iter().zip(truths) {
                 answers.push((of_group, answer(&group.restitution?, truth)));
             }
@@ -215,10 +215,10 @@ impl Simulated {
         }
         let study = self.study(ASKED[0].0)?;
         for group in &study.groups {
-            let held = answer(&group.between_drops, self.world.between_drops);
+            let held = answer(&group.between_drops, self.truth.between_drops);
             answers.push(("scatter between drops", held));
         }
-        let zero = answer(&study.ruler_zero_m?, self.world.zero_m);
+        let zero = answer(&study.ruler_zero_m?, self.truth.zero_m);
         answers.push(("zero of the ruler", zero));
         for (fitted, drop) in study.drops.iter().zip(&self.drops) {
             let names = if drop.is_stated {

@@ -1,12 +1,15 @@
-//! What people state wrongly, or not at all, and surfaces that no law describes: drops simulated by the module `world`.
+//! What people state wrongly, or not at all, and surfaces that no law describes: drops simulated by the module `independent`.
 
+use bouncelab::impact::ImpactEvent;
 use bouncelab::settings::{BallSettings, Settings};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-use crate::misfit::{Case, Heard, Truth};
+use crate::independent::{
+    BallOnSurface, KINDS, Kind, Law, Ring, between, log_between, normal, quiet,
+};
+use crate::misfit::{Case, Observed, Truth};
 use crate::scenario::{MAX_IMPACTS, MIN_IMPACTS, SHORTEST_FLIGHT_S};
-use crate::world::{KINDS, Kind, Law, Ring, Strike, World, between, log_between, normal, quiet};
 
 /// What is stated of a drop, and what is odd about it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -107,9 +110,9 @@ impl Stated {
         }
     }
 
-    fn world(self, rng: &mut ChaCha8Rng) -> World {
+    fn ball_on_surface(self, rng: &mut ChaCha8Rng) -> BallOnSurface {
         let any = rng.random_range(0..KINDS.len());
-        let mut world = World::of(
+        let mut simulated = BallOnSurface::of(
             match self {
                 Self::NoBall(kind) => &KINDS[kind],
                 // The hollow ones come first.
@@ -119,54 +122,54 @@ impl Stated {
             rng,
         );
         match self {
-            Self::FifthPower => world.law = Law::FifthPower(log_between(LOSSES, rng)),
-            Self::WorseWhenSlow => world.law = Law::WorseWhenSlow(between((0.75, 0.95), rng)),
+            Self::FifthPower => simulated.law = Law::FifthPower(log_between(LOSSES, rng)),
+            Self::WorseWhenSlow => simulated.law = Law::WorseWhenSlow(between((0.75, 0.95), rng)),
             _ => {}
         }
-        world
+        simulated
     }
 
     /// A drop as a list or a recording, with what is stated of it; `None` if it is too short to be detected.
     pub(crate) fn drawn(self, rng: &mut ChaCha8Rng) -> Option<Case> {
-        let world = self.world(rng);
+        let simulated = self.ball_on_surface(rng);
         let height_m = log_between(HEIGHTS_M, rng);
         let end = match self {
             // Below 0.3 m/s flights are shorter than 60 ms.
             Self::WorseWhenSlow => (MAX_IMPACTS, 0.03),
             _ => (MAX_IMPACTS, SHORTEST_FLIGHT_S),
         };
-        let strikes = world.strikes(height_m, end, rng);
-        let first = strikes.first()?;
+        let events = simulated.impact_events(height_m, end, rng);
+        let first = events.first()?;
         let missed = match self {
             Self::LateStart => 1 + usize::from(rng.random::<f64>() < 0.3),
             _ => 0,
         };
-        if strikes.len() < MIN_IMPACTS + missed {
+        if events.len() < MIN_IMPACTS + missed {
             return None;
         }
-        let mut settings = self.ball_settings(&world, rng);
+        let mut settings = self.ball_settings(&simulated, rng);
         match self {
             // As if an impact were missed: higher by the energy that it takes.
             Self::WrongHeight => {
-                let kept = world.law.at(first.speed_m_s).powi(2);
+                let kept = simulated.law.at(first.speed_m_s).powi(2);
                 settings.drop.height_m = Some(height_m / kept * (0.02 * normal(rng)).exp());
             }
             Self::LateStart => settings.drop.height_m = Some(height_m + HEIGHT_SD_M * normal(rng)),
             _ => {}
         }
-        let heard = match self {
+        let observed = match self {
             Self::Click | Self::EarlierDrop | Self::WrongHeight | Self::LateStart => {
-                self.recording(&world, &strikes, missed, rng)
+                self.recording(&simulated, &events, missed, rng)
             }
-            _ => Heard::Times(self.list(&world, &strikes, rng)),
+            _ => Observed::Times(self.list(&simulated, &events, rng)),
         };
-        let law = world.law;
+        let law = simulated.law;
         Some(Case {
-            heard,
+            observed,
             options: settings.resolve().ok()?.options,
             truth: Truth {
                 restitution: Box::new(move |speed_m_s| law.at(speed_m_s)),
-                middle_m_s: (first.speed_m_s * strikes.last()?.speed_m_s).sqrt(),
+                middle_m_s: (first.speed_m_s * events.last()?.speed_m_s).sqrt(),
                 height_m,
                 rest_s: None,
                 numbers: None,
@@ -174,13 +177,15 @@ impl Stated {
         })
     }
 
-    fn ball_settings(self, world: &World, rng: &mut ChaCha8Rng) -> Settings {
-        let sphere = &world.sphere;
+    fn ball_settings(self, simulated: &BallOnSurface, rng: &mut ChaCha8Rng) -> Settings {
+        let sphere = &simulated.sphere;
         let stated = |kind: &Kind| Settings::of_ball(&(kind.stated)(sphere.diameter_m));
         match self {
             Self::NoBall(_) => Settings::default(),
             Self::WrongBall => {
-                let others = KINDS.iter().filter(|other| other.name != world.kind.name);
+                let others = KINDS
+                    .iter()
+                    .filter(|other| other.name != simulated.kind.name);
                 let others: Vec<&Kind> = others.collect();
                 stated(others[rng.random_range(0..others.len())])
             }
@@ -192,14 +197,19 @@ impl Stated {
                 },
                 ..Settings::default()
             },
-            _ => stated(world.kind),
+            _ => stated(simulated.kind),
         }
     }
 
     /// The times of a list, with errors.
-    fn list(self, world: &World, strikes: &[Strike], rng: &mut ChaCha8Rng) -> Vec<f64> {
+    fn list(
+        self,
+        simulated: &BallOnSurface,
+        events: &[ImpactEvent],
+        rng: &mut ChaCha8Rng,
+    ) -> Vec<f64> {
         let sd_s = TIME_SD_S * (0.7 * normal(rng)).exp();
-        let mut times_s: Vec<f64> = strikes
+        let mut times_s: Vec<f64> = events
             .iter()
             .map(|it| it.time_s + sd_s * normal(rng))
             .collect();
@@ -210,7 +220,7 @@ impl Stated {
                 let close_s = times_s[place] + between((0.3e-3, 1.9e-3), rng);
                 times_s.insert(place + 1, close_s);
             }
-            Self::OtherSoundFirst => times_s.insert(0, -before_s(world, strikes, rng)),
+            Self::OtherSoundFirst => times_s.insert(0, -before_s(simulated, events, rng)),
             _ => {}
         }
         times_s
@@ -219,31 +229,31 @@ impl Stated {
     /// The sound of these impacts in a quiet room.
     fn recording(
         self,
-        world: &World,
-        strikes: &[Strike],
+        simulated: &BallOnSurface,
+        events: &[ImpactEvent],
         missed: usize,
         rng: &mut ChaCha8Rng,
-    ) -> Heard {
+    ) -> Observed {
         let begin_s = match self {
             Self::LateStart => {
                 // Somewhere in the flight before the first impact that is heard.
-                let flight_s = strikes[missed].time_s - strikes[missed - 1].time_s;
-                strikes[missed].time_s - flight_s * between((0.1, 0.8), rng)
+                let flight_s = events[missed].time_s - events[missed - 1].time_s;
+                events[missed].time_s - flight_s * between((0.1, 0.8), rng)
             }
             _ => -between((1.5, 3.0), rng),
         };
-        let end_s = strikes.last().map_or(0.0, |last| last.time_s) + TAIL_S;
+        let end_s = events.last().map_or(0.0, |last| last.time_s) + TAIL_S;
         let mut samples = quiet(end_s - begin_s, LOUDEST * NOISE, rng);
         let ring = Ring::of(IMPACT_HZ, rng);
-        let loudest_m_s = strikes[missed].speed_m_s;
+        let loudest_m_s = events[missed].speed_m_s;
         let amplitude = |speed_m_s: f64, rng: &mut ChaCha8Rng| {
             LOUDEST / 4.0 * speed_m_s / loudest_m_s * (0.15 * normal(rng)).exp()
         };
-        for strike in &strikes[missed..] {
-            let amplitude = amplitude(strike.speed_m_s, rng);
-            ring.sound(strike.time_s - begin_s, amplitude, &mut samples);
+        for event in &events[missed..] {
+            let amplitude = amplitude(event.speed_m_s, rng);
+            ring.sound(event.time_s - begin_s, amplitude, &mut samples);
         }
-        let other_s = -begin_s - before_s(world, strikes, rng);
+        let other_s = -begin_s - before_s(simulated, events, rng);
         match self {
             Self::Click => {
                 let amplitude = LOUDEST / 4.0 * log_between((0.1, 1.0), rng);
@@ -255,13 +265,13 @@ impl Stated {
             }
             _ => {}
         }
-        Heard::Sound(samples)
+        Observed::Sound(samples)
     }
 }
 
 /// How long before the drop another sound comes, so that it may be taken for its first impact: as the law would have it,
 /// within some per cent.
-fn before_s(world: &World, strikes: &[Strike], rng: &mut ChaCha8Rng) -> f64 {
-    let first_flight_s = strikes[1].time_s - strikes[0].time_s;
-    first_flight_s / world.law.at(strikes[0].speed_m_s) * (0.05 * normal(rng)).exp()
+fn before_s(simulated: &BallOnSurface, events: &[ImpactEvent], rng: &mut ChaCha8Rng) -> f64 {
+    let first_flight_s = events[1].time_s - events[0].time_s;
+    first_flight_s / simulated.law.at(events[0].speed_m_s) * (0.05 * normal(rng)).exp()
 }

@@ -359,7 +359,7 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
 
     use super::*;
-    use crate::world::{KINDS, World};
+    use crate::independent::{BallOnSurface, KINDS};
 
     /// Simulated drops of table-tennis balls against a tape whose zero is 8 mm too high.
     #[test]
@@ -370,10 +370,10 @@ mod tests {
                          flight_6_s,flight_7_s,flight_8_s"
                 .to_owned();
         for number in 0..12 {
-            let world = World::of(&KINDS[0], &mut rng);
-            let strikes = world.strikes(0.2, (9, 0.0), &mut rng);
+            let simulated = BallOnSurface::of(&KINDS[0], &mut rng);
+            let events = simulated.impact_events(0.2, (9, 0.0), &mut rng);
             write!(table, "\n{number},table-tennis,19.2").unwrap();
-            for pair in strikes.windows(2) {
+            for pair in events.windows(2) {
                 write!(table, ",{:.6}", pair[1].time_s - pair[0].time_s).unwrap();
             }
         }

@@ -40,10 +40,10 @@ impl Failure {
     /// Prints the reason on stderr and returns the exit status.
     pub(crate) fn report(&self) -> u8 {
         // The reader may have closed the pipe (`| head`).
-        let unheard =
+        let reader_is_gone =
             matches!(self, Self::Output(reason) if reason.kind() == io::ErrorKind::BrokenPipe);
         let message = self.to_string();
-        if !unheard && !message.is_empty() {
+        if !reader_is_gone && !message.is_empty() {
             say(format_args!("bouncelab: {message}"));
         }
         match self {

@@ -191,8 +191,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let run = arguments
         .history
         .run(options.environment.drag.clone(), options)?;
-    let strikes: Vec<ImpactEvent> = run.history.impact_events().collect();
-    let sound = synth::render(&strikes, &arguments.scene(), arguments.seed)?;
+    let events: Vec<ImpactEvent> = run.history.impact_events().collect();
+    let sound = synth::render(&events, &arguments.scene(), arguments.seed)?;
     let format = arguments.bits.format();
     let wav = encode_wav(sound.sample_rate_hz, format, &[&sound.samples])?;
     let write = |file: &Path, bytes: &[u8]| {

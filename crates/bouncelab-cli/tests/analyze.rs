@@ -10,7 +10,7 @@ use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, Noise, Scene};
 use bouncelab_audio::SampleFormat;
 use bouncelab_report::figure;
-use bouncelab_testkit::{strikes, write_wav};
+use bouncelab_testkit::{impact_events, write_wav};
 use predicates::prelude::*;
 use serde_json::Value;
 use tempfile::TempDir;
@@ -34,8 +34,8 @@ fn json(command: &mut Command) -> Value {
 
 /// The first impact times of a drag-free drop whose first impact, at 2.4 m/s, is at time zero.
 fn times(count: usize) -> Vec<f64> {
-    strikes(2.4, 0.9)
-        .map(|strike| strike.time_s)
+    impact_events(2.4, 0.9)
+        .map(|event| event.time_s)
         .take(count)
         .collect()
 }
@@ -48,8 +48,8 @@ fn write_samples(folder: &TempDir, name: &str, samples: &[f32]) -> PathBuf {
 
 /// A recording of twenty impacts with restitution 0.9.
 fn recording(folder: &TempDir) -> PathBuf {
-    let strikes: Vec<ImpactEvent> = strikes(2.4, 0.9).take(20).collect();
-    let sound = synth::render(&strikes, &Scene::default(), 3).unwrap();
+    let events: Vec<ImpactEvent> = impact_events(2.4, 0.9).take(20).collect();
+    let sound = synth::render(&events, &Scene::default(), 3).unwrap();
     write_samples(folder, "drop.wav", &sound.samples)
 }
 
@@ -113,7 +113,7 @@ fn help_shows_what_a_first_user_needs() {
 #[test]
 fn a_dull_ball_is_offered_and_answered_with_its_width() {
     let folder = TempDir::new().unwrap();
-    let few: Vec<ImpactEvent> = strikes(3.43, 0.28).take(3).collect();
+    let few: Vec<ImpactEvent> = impact_events(3.43, 0.28).take(3).collect();
     let sound = synth::render(&few, &Scene::default(), 3).unwrap();
     let file = write_samples(&folder, "dull.wav", &sound.samples);
     assert_eq!(
@@ -133,7 +133,7 @@ fn a_dull_ball_is_offered_and_answered_with_its_width() {
 #[test]
 fn what_may_be_a_drop_is_offered_and_counts_once_it_is_accepted() {
     let folder = TempDir::new().unwrap();
-    let few: Vec<ImpactEvent> = strikes(2.4, 0.9).take(4).collect();
+    let few: Vec<ImpactEvent> = impact_events(2.4, 0.9).take(4).collect();
     let sound = synth::render(&few, &Scene::default(), 3).unwrap();
     let file = write_samples(&folder, "few.wav", &sound.samples);
     let offered = json(&mut analyze(&file));
@@ -301,8 +301,8 @@ fn a_drop_left_out_by_hand_is_gone_and_another_may_come() {
             .flat_map(|t| [option.to_owned(), t.to_string()]);
         words.collect()
     };
-    let heard_s: Vec<f64> = times(20).iter().map(|time_s| 0.5 + time_s).collect();
-    let all = options("--exclude", &heard_s);
+    let impacts_s: Vec<f64> = times(20).iter().map(|time_s| 0.5 + time_s).collect();
+    let all = options("--exclude", &impacts_s);
     let assert = analyze(&file).args(&all).assert().code(1);
     assert.stderr(predicate::str::contains("no flight remains"));
     let added_s = [40.0, 40.5, 40.9];

@@ -11,7 +11,7 @@ use bouncelab::ball::{self, Ball};
 use bouncelab::inference::SamplerConfig;
 use bouncelab::settings::Settings;
 use bouncelab::{Options, analyze_times};
-use bouncelab_testkit::strikes;
+use bouncelab_testkit::impact_events;
 use predicates::prelude::*;
 use predicates::str::contains;
 use serde_json::Value;
@@ -25,7 +25,7 @@ fn bouncelab() -> Command {
 
 /// Impact times as a list has them, and as numbers.
 fn times() -> (String, Vec<f64>) {
-    let lines = strikes(2.4, 0.85).take(8);
+    let lines = impact_events(2.4, 0.85).take(8);
     let lines: Vec<String> = lines.map(|it| format!("{:.6}", it.time_s)).collect();
     let numbers = lines.iter().map(|line| line.parse().unwrap());
     (lines.join("\n"), numbers.collect())

@@ -13,7 +13,7 @@ use std::thread;
 
 use bouncelab::synth::{self, Scene};
 use bouncelab_audio::{SampleFormat, SoundReader};
-use bouncelab_testkit::{strikes, write_wav};
+use bouncelab_testkit::{impact_events, write_wav};
 use tempfile::TempDir;
 
 /// A command that reads from the folder `in` and writes into the folder `out`.
@@ -92,7 +92,7 @@ impl Workspace {
         fs::create_dir(workspace.path("out")).unwrap();
         for (name, seed) in [("a.wav", 1), ("b.wav", 2)] {
             // From 30.5 cm, the height of the rule in `CASES`.
-            let impacts: Vec<_> = strikes(2.44, 0.88).take(8).collect();
+            let impacts: Vec<_> = impact_events(2.44, 0.88).take(8).collect();
             let sound = synth::render(&impacts, &Scene::default(), seed).unwrap();
             let path = workspace.path("in").join(name);
             let rate_hz = sound.sample_rate_hz;

@@ -101,10 +101,10 @@ fn synth_then_analyze_is_a_round_trip() {
             .map(|i| i["time_s"].as_f64().unwrap())
             .collect::<Vec<f64>>()
     };
-    let (heard, true_times) = (times(&sound), times(&truth));
-    assert_eq!(heard.len(), true_times.len());
-    for (heard, truth) in heard.windows(2).zip(true_times.windows(2)) {
-        assert!(((heard[1] - heard[0]) - (truth[1] - truth[0])).abs() < 5e-5);
+    let (detected, true_times) = (times(&sound), times(&truth));
+    assert_eq!(detected.len(), true_times.len());
+    for (detected, truth) in detected.windows(2).zip(true_times.windows(2)) {
+        assert!(((detected[1] - detected[0]) - (truth[1] - truth[0])).abs() < 5e-5);
     }
     let restitution = |file| {
         let result = json(bouncelab(&["analyze", "--format", "json"]).arg(file));

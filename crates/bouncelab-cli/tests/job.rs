@@ -9,7 +9,7 @@ use assert_cmd::Command;
 use bouncelab::synth::{self, Scene};
 use bouncelab_audio::{SampleFormat, SoundReader};
 use bouncelab_session::hash::hash_of_file;
-use bouncelab_testkit::{strikes, write_wav};
+use bouncelab_testkit::{impact_events, write_wav};
 use predicates::prelude::*;
 use serde_json::Value;
 use support::write_simulated_times;
@@ -301,7 +301,7 @@ fn a_result_is_worked_out_once_for_each_setting() {
 /// A recording of a drop of a table-tennis ball from 30.5 cm.
 fn sound(folder: &Path, name: &str, seed: u64) {
     // Without drag, e² 30.5 cm are 25.6 cm, of which the correction for the air takes 0.6 cm.
-    let impacts: Vec<_> = strikes(2.446, 0.917).take(12).collect();
+    let impacts: Vec<_> = impact_events(2.446, 0.917).take(12).collect();
     let scene = Scene {
         tail_s: 5.0,
         ..Scene::default()
@@ -454,8 +454,8 @@ fn a_full_disk_loses_nothing() {
         first
     );
     // What was heard until the disk was full is kept.
-    let heard = folder.path().join("ball/sounds/002.wav");
-    assert!(!samples(&heard).is_empty());
+    let saved = folder.path().join("ball/sounds/002.wav");
+    assert!(!samples(&saved).is_empty());
     job(&folder, &["add", "ball", "2.wav"])
         .assert()
         .success()

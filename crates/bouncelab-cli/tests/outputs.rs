@@ -237,7 +237,7 @@ fn signals_end_in_order_and_leave_no_drafts() {
 fn ends_in_order(before: &str, signal: &str) {
     let folder = Folder::new();
     // A drop, with draws that take seconds: the signal comes before they are done.
-    let impacts = bouncelab_testkit::strikes(4.4, 0.96).take(60);
+    let impacts = bouncelab_testkit::impact_events(4.4, 0.96).take(60);
     let times = impacts.map(|impact| format!("{}\n", impact.time_s));
     let times = times.collect::<String>();
     fs::write(folder.path("long.txt"), times).unwrap();

@@ -9,7 +9,7 @@ use assert_cmd::Command;
 use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, Rendered, Scene};
 use bouncelab_audio::SampleFormat;
-use bouncelab_testkit::{strikes, write_wav};
+use bouncelab_testkit::{impact_events, write_wav};
 use predicates::prelude::*;
 use predicates::str::contains;
 use tempfile::TempDir;
@@ -17,13 +17,13 @@ use tempfile::TempDir;
 /// The sound of a dozen impacts.
 fn drop_of(seed: u16) -> Rendered {
     let first_speed_m_s = 2.2 + 0.01 * f64::from(seed);
-    let strikes: Vec<ImpactEvent> = strikes(first_speed_m_s, 0.9).take(12).collect();
+    let events: Vec<ImpactEvent> = impact_events(first_speed_m_s, 0.9).take(12).collect();
     let scene = Scene {
         lead_in_s: 0.2,
         tail_s: 0.2,
         ..Scene::default()
     };
-    synth::render(&strikes, &scene, seed.into()).unwrap()
+    synth::render(&events, &scene, seed.into()).unwrap()
 }
 
 /// A folder for recordings and one for results.

@@ -209,10 +209,10 @@ impl Simulation {
     fn sound<'py>(&self, py: Python<'py>, scene: &str) -> Result<(Bound<'py, PyByteArray>, Table)> {
         let asked: SceneRequest = serde_json::from_str(scene)?;
         let scene = asked.scene()?;
-        let strikes: Vec<ImpactEvent> = self.run.history.impact_events().collect();
+        let events: Vec<ImpactEvent> = self.run.history.impact_events().collect();
         let (sound, samples) = py.detach(|| {
             interruptible(move || {
-                synth::render(&strikes, &scene, asked.seed).map(|sound| {
+                synth::render(&events, &scene, asked.seed).map(|sound| {
                     let samples = sound.samples.iter().flat_map(|it| it.to_ne_bytes());
                     let samples: Vec<u8> = samples.collect();
                     (sound, samples)

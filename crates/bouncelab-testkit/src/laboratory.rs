@@ -36,13 +36,13 @@ impl Truth {
     ///
     /// If the file cannot be written.
     pub fn record(&self, path: &Path, height_m: f64, lead_in_s: f64, seed: u64) {
-        let strikes = self.strikes(height_m, seed);
+        let events = self.impact_events(height_m, seed);
         let scene = Scene {
             noise: Some(Noise::pink(35.0)),
             lead_in_s,
             ..Scene::default()
         };
-        let sound = synth::render(&strikes, &scene, seed).unwrap();
+        let sound = synth::render(&events, &scene, seed).unwrap();
         write_wav(
             path,
             sound.sample_rate_hz,
@@ -51,7 +51,7 @@ impl Truth {
         );
     }
 
-    fn strikes(&self, height_m: f64, seed: u64) -> Vec<ImpactEvent> {
+    fn impact_events(&self, height_m: f64, seed: u64) -> Vec<ImpactEvent> {
         /// Slower than this the ball is at rest, m/s.
         const REST_M_S: f64 = 0.25;
         let settings = Options::default();
@@ -63,7 +63,7 @@ impl Truth {
             (self.at(speed_m_s) + offset) * (self.between_impacts * chance.normal()).exp()
         };
         bouncing(model, settings.contact_time_s, first_speed_m_s, restitution)
-            .take_while(|strike| strike.speed_m_s > REST_M_S)
+            .take_while(|event| event.speed_m_s > REST_M_S)
             .collect()
     }
 }

@@ -84,7 +84,7 @@ pub fn bouncing(
 /// # Panics
 ///
 /// Never: gravity is above zero.
-pub fn strikes(first_speed_m_s: f64, restitution: f64) -> impl Iterator<Item = ImpactEvent> {
+pub fn impact_events(first_speed_m_s: f64, restitution: f64) -> impl Iterator<Item = ImpactEvent> {
     let model = FlightModel::drag_free(gravity::STANDARD_M_S2).expect("gravity is above zero");
     bouncing(model, 0.0, first_speed_m_s, move |_| restitution)
 }

@@ -106,7 +106,7 @@ pub fn synthesise(request: &SimulationRequest, scene: &SceneRequest) -> Result<R
     let history = history(&setup.options, request)?;
     let voice =
         Voice::named(&scene.voice).ok_or_else(|| unknown("voice", &scene.voice, &Voice::NAMES))?;
-    let strikes: Vec<ImpactEvent> = history.impact_events().collect();
+    let events: Vec<ImpactEvent> = history.impact_events().collect();
     let scene_of_it = Scene {
         sample_rate_hz: scene.sample_rate_hz,
         lead_in_s: scene.lead_in_s,
@@ -116,11 +116,7 @@ pub fn synthesise(request: &SimulationRequest, scene: &SceneRequest) -> Result<R
         bit_depth: BitDepth::Float,
         ..Scene::default()
     };
-    Ok(synth::render(
-        &strikes,
-        &scene_of_it,
-        u64::from(scene.seed),
-    )?)
+    Ok(synth::render(&events, &scene_of_it, u64::from(scene.seed))?)
 }
 
 /// The drop of the demo, and how it sounds.

@@ -7,7 +7,7 @@ use bouncelab::impact::ImpactEvent;
 use bouncelab::onset::{Onset, OnsetDetector};
 use bouncelab::synth::{self, Noise, Scene};
 use bouncelab::train;
-use bouncelab_testkit::strikes;
+use bouncelab_testkit::impact_events;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 
@@ -19,17 +19,17 @@ fn main() {
 
 /// A drop of seventy-odd impacts in this much background.
 fn drop_in(duration_s: f64, noise: Noise) -> Vec<f32> {
-    let strikes: Vec<ImpactEvent> = strikes(2.4, 0.955)
-        .take_while(|strike| strike.speed_m_s > 0.1)
+    let events: Vec<ImpactEvent> = impact_events(2.4, 0.955)
+        .take_while(|event| event.speed_m_s > 0.1)
         .collect();
     let lead_in_s = 5.0;
     let scene = Scene {
         noise: Some(noise),
         lead_in_s,
-        tail_s: duration_s - lead_in_s - strikes[strikes.len() - 1].time_s,
+        tail_s: duration_s - lead_in_s - events[events.len() - 1].time_s,
         ..Scene::default()
     };
-    synth::render(&strikes, &scene, 1).unwrap().samples
+    synth::render(&events, &scene, 1).unwrap().samples
 }
 
 fn onsets(samples: &[f32]) -> Vec<Onset> {

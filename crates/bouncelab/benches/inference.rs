@@ -35,12 +35,12 @@ fn impacts() -> Vec<Impact> {
     let mut time_s = 0.0;
     (1..=40)
         .map(|number| {
-            let heard = Impact::new(number, time_s + SIGMA_S * normal()).with_time_sd_s(SIGMA_S);
+            let impact = Impact::new(number, time_s + SIGMA_S * normal()).with_time_sd_s(SIGMA_S);
             let launch = speed * 0.945 * (0.003 * normal()).exp();
             let flight = model.launch(launch).unwrap();
             time_s += flight.time_s() + settings.contact_time_s;
             speed = flight.impact_speed_m_s;
-            heard
+            impact
         })
         .collect()
 }

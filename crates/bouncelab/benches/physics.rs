@@ -102,7 +102,7 @@ fn drag_corrected_restitution(bencher: Bencher, law: &DragLaw) {
     let impacts: Vec<_> = history
         .impact_events()
         .zip(1..)
-        .map(|(strike, number)| Impact::new(number, strike.time_s).with_time_sd_s(5e-5))
+        .map(|(event, number)| Impact::new(number, event.time_s).with_time_sd_s(5e-5))
         .collect();
     bencher
         .counter(ItemsCount::new(impacts.len()))

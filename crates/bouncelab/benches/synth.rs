@@ -4,7 +4,7 @@ use std::hint::black_box;
 
 use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, Clicks, Colour, Hum, Noise, Reverb, Scene};
-use bouncelab_testkit::strikes;
+use bouncelab_testkit::impact_events;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 
@@ -14,18 +14,18 @@ fn main() {
 
 /// Sixty impacts, spread over a minute.
 fn minute() -> Vec<ImpactEvent> {
-    strikes(8.5, 0.98).take(60).collect()
+    impact_events(8.5, 0.98).take(60).collect()
 }
 
 fn bench_scene(bencher: Bencher, scene: &Scene) {
-    let strikes = minute();
-    let samples = synth::render(&strikes, scene, 1)
+    let events = minute();
+    let samples = synth::render(&events, scene, 1)
         .expect("the scene is valid")
         .samples
         .len();
     bencher
         .counter(ItemsCount::new(samples))
-        .bench(|| synth::render(black_box(&strikes), black_box(scene), 1));
+        .bench(|| synth::render(black_box(&events), black_box(scene), 1));
 }
 
 #[divan::bench]

@@ -22,10 +22,7 @@ fn main() -> Result<()> {
         );
     }
 
-    let times_s: Vec<f64> = history
-        .impact_events()
-        .map(|strike| strike.time_s)
-        .collect();
+    let times_s: Vec<f64> = history.impact_events().map(|event| event.time_s).collect();
     for drop in analyze_times(&times_s, &options).drops {
         println!(
             "log-linear fit: e = {:.4}",

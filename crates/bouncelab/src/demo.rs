@@ -58,10 +58,10 @@ pub fn history() -> Result<History> {
 ///
 /// None with these numbers.
 pub fn sound(history: &History, seed: u64) -> Result<Rendered> {
-    let strikes: Vec<ImpactEvent> = history.impact_events().collect();
+    let events: Vec<ImpactEvent> = history.impact_events().collect();
     let scene = Scene {
         noise: Some(Noise::pink(SNR_DB)),
         ..Scene::default()
     };
-    synth::render(&strikes, &scene, seed)
+    synth::render(&events, &scene, seed)
 }

@@ -24,15 +24,15 @@ fn compared(fell: &Preset, height_m: f64, restitution: f64, stated: &Preset) -> 
     let model = truth.model()?;
     let fall = model.fall(height_m)?;
     let scattered = |_| restitution * (SCATTER * normal()).exp();
-    let strikes = bouncing(
+    let events = bouncing(
         model,
         truth.contact_time_s,
         fall.impact_speed_m_s,
         scattered,
     );
-    let strikes: Vec<_> = strikes.take(14).collect();
-    let impacts = strikes.iter().zip(1..).map(|(strike, number)| {
-        let time_s = strike.time_s + TIME_SD_S * normal();
+    let events: Vec<_> = events.take(14).collect();
+    let impacts = events.iter().zip(1..).map(|(event, number)| {
+        let time_s = event.time_s + TIME_SD_S * normal();
         Impact::new(number, time_s).with_time_sd_s(TIME_SD_S)
     });
     // Enough for evidence in the powers of ten.

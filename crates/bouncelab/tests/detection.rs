@@ -13,7 +13,7 @@ use bouncelab::synth::{
     self, BitDepth, Clicks, Hum, Lost, Noise, Rendered, Reverb, Scene, SynthImpact, Voice,
 };
 use bouncelab::train::{self, Train, TrainImpact, latest_next_s};
-use bouncelab_testkit::strikes;
+use bouncelab_testkit::impact_events;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -23,23 +23,23 @@ const SAME_S: f64 = 1e-3;
 /// A drop without drag, down to bounces of 0.5 mm.
 fn dropped(height_m: f64, restitution: f64) -> Vec<ImpactEvent> {
     let speed_m_s = |height_m: f64| (2.0 * STANDARD_M_S2 * height_m).sqrt();
-    strikes(speed_m_s(height_m), restitution)
-        .take_while(|strike| strike.speed_m_s > speed_m_s(5e-4))
+    impact_events(speed_m_s(height_m), restitution)
+        .take_while(|event| event.speed_m_s > speed_m_s(5e-4))
         .collect()
 }
 
 /// A drop of thirty-odd impacts.
-fn usual_strikes() -> Vec<ImpactEvent> {
+fn usual_events() -> Vec<ImpactEvent> {
     dropped(0.305, 0.92)
 }
 
 /// Two such drops; the second begins this long after the first impact of the first.
 fn two_drops(start_s: f64) -> Vec<ImpactEvent> {
-    let second = usual_strikes().into_iter().map(|strike| ImpactEvent {
-        time_s: start_s + strike.time_s,
-        ..strike
+    let second = usual_events().into_iter().map(|event| ImpactEvent {
+        time_s: start_s + event.time_s,
+        ..event
     });
-    usual_strikes().into_iter().chain(second).collect()
+    usual_events().into_iter().chain(second).collect()
 }
 
 fn scene(snr_db: f64) -> Scene {
@@ -171,7 +171,7 @@ proptest! {
     /// The size of the blocks in which a recording arrives makes no difference, to the last bit.
     #[test]
     fn blocks_make_no_difference(sizes in prop::collection::vec(1_usize..5000, 1..40)) {
-        let sound = synth::render(&usual_strikes(), &scene(30.0), 4).unwrap();
+        let sound = synth::render(&usual_events(), &scene(30.0), 4).unwrap();
         let mut detector = Detector::new(sound.sample_rate_hz, 1);
         let mut rest = sound.samples.as_slice();
         for size in sizes.iter().cycle() {
@@ -188,9 +188,9 @@ proptest! {
     /// Times are relative: a train is found at any time.
     #[test]
     fn trains_do_not_depend_on_when_they_begin(shift in 0.0..1000.0) {
-        let onsets: Vec<Onset> = usual_strikes().iter().map(|s| Onset::click(s.time_s)).collect();
+        let onsets: Vec<Onset> = usual_events().iter().map(|s| Onset::click(s.time_s)).collect();
         let shifted: Vec<Onset> =
-            usual_strikes().iter().map(|s| Onset::click(s.time_s + shift)).collect();
+            usual_events().iter().map(|s| Onset::click(s.time_s + shift)).collect();
         let (here, there) = (train::find(&onsets), train::find(&shifted));
         prop_assert_eq!(here.trains.len(), 1);
         prop_assert_eq!(there.trains[0].impacts().len(), here.trains[0].impacts().len());
@@ -202,8 +202,8 @@ proptest! {
 #[test]
 fn impacts_of_equal_loudness_are_one_drop() {
     for restitution in [0.9, 0.92, 0.95] {
-        let strikes = dropped(0.305, restitution);
-        let onsets: Vec<Onset> = strikes.iter().map(|s| Onset::click(s.time_s)).collect();
+        let events = dropped(0.305, restitution);
+        let onsets: Vec<Onset> = events.iter().map(|s| Onset::click(s.time_s)).collect();
         let found = train::find(&onsets);
         assert_eq!(found.trains.len(), 1, "{restitution}");
         assert_eq!(
@@ -220,7 +220,7 @@ fn impacts_of_equal_loudness_are_one_drop() {
 fn standard_errors_of_times_are_honest() {
     let (mut early, mut late) = (Vec::new(), Vec::new());
     for seed in 0..40 {
-        let sound = synth::render(&usual_strikes(), &scene(40.0), seed).unwrap();
+        let sound = synth::render(&usual_events(), &scene(40.0), seed).unwrap();
         let detected = detect(&sound);
         let errors = errors(the_only_train(&detected), &sound);
         let scores = errors.iter().map(|(error, sigma)| error.abs() / sigma);
@@ -243,7 +243,7 @@ fn standard_errors_of_times_are_honest() {
 fn impacts_as_faint_as_the_noise_are_timed_and_their_errors_are_honest() {
     let mut found = Vec::new();
     for seed in 0..8 {
-        let sound = synth::render(&usual_strikes(), &scene(5.0), seed).unwrap();
+        let sound = synth::render(&usual_events(), &scene(5.0), seed).unwrap();
         found.extend(errors(the_only_train(&detect(&sound)), &sound));
     }
     let share = |holds: &dyn Fn(f64, f64) -> bool| {
@@ -328,7 +328,7 @@ fn lost_impacts_leave_gaps_in_the_numbers() {
         lost: Lost::At(vec![5, 9, 10]),
         ..scene(40.0)
     };
-    let sound = synth::render(&usual_strikes(), &scene, 2).unwrap();
+    let sound = synth::render(&usual_events(), &scene, 2).unwrap();
     let detected = detect(&sound);
     let train = the_only_train(&detected);
     assert_eq!(train.missed(), 3);
@@ -343,7 +343,7 @@ fn clicks_are_not_impacts() {
         level_db: -6.0,
     });
     let sound = synth::render(
-        &usual_strikes(),
+        &usual_events(),
         &Scene {
             clicks,
             ..scene(40.0)
@@ -376,7 +376,7 @@ fn clicks_are_not_impacts() {
 /// Of an impact with which the recording begins, the beginning may be missing: its stated error contains that.
 #[test]
 fn an_impact_at_the_start_of_the_recording_is_known_less_well() {
-    let sound = synth::render(&usual_strikes(), &scene(40.0), 5).unwrap();
+    let sound = synth::render(&usual_events(), &scene(40.0), 5).unwrap();
     let rate_hz = f64::from(sound.sample_rate_hz);
     let first_s = audible(&sound)[0];
     for before_s in [0.001, 0.002, 0.005] {
@@ -401,9 +401,9 @@ fn an_impact_at_the_start_of_the_recording_is_known_less_well() {
 fn a_train_close_behind_another_is_offered() {
     let mut both: Vec<ImpactEvent> = dropped(0.4, 0.94).into_iter().take(11).collect();
     let end_s = both[10].time_s;
-    both.extend(strikes(0.53, 0.963).take(6).map(|strike| ImpactEvent {
-        time_s: end_s + 0.26 + strike.time_s,
-        ..strike
+    both.extend(impact_events(0.53, 0.963).take(6).map(|event| ImpactEvent {
+        time_s: end_s + 0.26 + event.time_s,
+        ..event
     }));
     let sound = synth::render(&both, &scene(40.0), 7).unwrap();
     let found = detect(&sound).found;
@@ -459,7 +459,7 @@ fn few_impacts_are_offered() {
 
 #[test]
 fn two_drops_are_two_trains() {
-    let first = usual_strikes();
+    let first = usual_events();
     let both = two_drops(first[first.len() - 1].time_s + 1.5);
     let detected = detect(&synth::render(&both, &scene(40.0), 2).unwrap());
     assert_eq!(detected.found.trains.len(), 2);
@@ -469,7 +469,7 @@ fn two_drops_are_two_trains() {
 
 /// A ball that begins to bounce this long after the recording begins.
 struct Ball {
-    strikes: Vec<ImpactEvent>,
+    events: Vec<ImpactEvent>,
     voice: Voice,
     start_s: f64,
 }
@@ -482,7 +482,7 @@ impl Ball {
             lead_in_s: self.start_s,
             ..Scene::default()
         };
-        let mut sound = synth::render(&self.strikes, &scene, seed).unwrap();
+        let mut sound = synth::render(&self.events, &scene, seed).unwrap();
         sound.samples.resize(length, 0.0);
         sound
     }
@@ -513,12 +513,12 @@ fn two_balls_at_once_are_two_trains() {
     ) {
         for (height_m, start_s) in [(0.3, 0.62), (0.22, 0.75), (0.5, 1.1), (0.8, 1.63)] {
             let a = Ball {
-                strikes: dropped(0.4, 0.9),
+                events: dropped(0.4, 0.9),
                 voice: first.clone(),
                 start_s: 0.5,
             };
             let b = Ball {
-                strikes: dropped(height_m, 0.86),
+                events: dropped(height_m, 0.86),
                 voice: second.clone(),
                 start_s,
             };
@@ -606,7 +606,7 @@ fn every_way_to_record_will_do() {
         },
     ];
     for (index, scene) in scenes.iter().enumerate() {
-        let sound = synth::render(&usual_strikes(), scene, 2).unwrap();
+        let sound = synth::render(&usual_events(), scene, 2).unwrap();
         let detected = detect(&sound);
         let train = the_only_train(&detected);
         let loud: Vec<f64> = sound
@@ -628,10 +628,10 @@ fn every_way_to_record_will_do() {
 
 #[test]
 fn the_better_channel_is_believed() {
-    let good = synth::render(&usual_strikes(), &scene(40.0), 2)
+    let good = synth::render(&usual_events(), &scene(40.0), 2)
         .unwrap()
         .samples;
-    let bad = synth::render(&usual_strikes(), &scene(0.0), 3)
+    let bad = synth::render(&usual_events(), &scene(0.0), 3)
         .unwrap()
         .samples;
     let detect_both = |left: &[f32], right: &[f32]| {
@@ -644,7 +644,7 @@ fn the_better_channel_is_believed() {
     assert_eq!(detect_both(&bad, &good).channel, 1);
     assert_eq!(detect_both(&good, &bad).channel, 0);
     // Nobody would doubt the drop in either; one has all of its impacts.
-    let noisy = synth::render(&usual_strikes(), &scene(20.0), 3)
+    let noisy = synth::render(&usual_events(), &scene(20.0), 3)
         .unwrap()
         .samples;
     assert_eq!(detect_both(&noisy, &good).channel, 1);
@@ -659,7 +659,7 @@ fn the_better_channel_is_believed() {
     assert_eq!(detected.distinct_channels, 2);
     assert_eq!(
         the_only_train(&detected).impacts().len(),
-        usual_strikes().len()
+        usual_events().len()
     );
 }
 
@@ -677,7 +677,7 @@ fn a_long_recording_is_forgotten_but_its_drops_are_not() {
     let detected = detect(&sound);
     assert_eq!(detected.found.trains.len(), 2);
     // At 16 kHz the bright part of the click is missing, so that a faint impact may be, too.
-    let all = usual_strikes().len();
+    let all = usual_events().len();
     let found = detected
         .found
         .trains
@@ -696,13 +696,13 @@ fn a_long_recording_is_forgotten_but_its_drops_are_not() {
 /// Drop after drop for longer than is remembered, in two channels that part company late.
 #[test]
 fn samples_that_are_read_again_say_what_remembered_ones_say() {
-    let pause_s = 2.0 + usual_strikes().last().unwrap().time_s;
+    let pause_s = 2.0 + usual_events().last().unwrap().time_s;
     let starts_s = (0..45).map(|drop| pause_s * f64::from(drop));
-    let strikes: Vec<ImpactEvent> = starts_s
+    let events: Vec<ImpactEvent> = starts_s
         .flat_map(|start_s| {
-            usual_strikes().into_iter().map(move |strike| ImpactEvent {
-                time_s: start_s + strike.time_s,
-                ..strike
+            usual_events().into_iter().map(move |event| ImpactEvent {
+                time_s: start_s + event.time_s,
+                ..event
             })
         })
         .collect();
@@ -710,7 +710,7 @@ fn samples_that_are_read_again_say_what_remembered_ones_say() {
         sample_rate_hz: 8_000,
         ..scene(40.0)
     };
-    let left = synth::render(&strikes, &quiet, 2).unwrap().samples;
+    let left = synth::render(&events, &quiet, 2).unwrap().samples;
     let mut right = left.clone();
     let half = right.len() / 2;
     right[half..].iter_mut().for_each(|sample| *sample *= -0.5);
@@ -752,7 +752,7 @@ fn high_rates_do_not_move_impacts() {
             sample_rate_hz,
             ..scene(40.0)
         };
-        let sound = synth::render(&usual_strikes(), &scene, 3).unwrap();
+        let sound = synth::render(&usual_events(), &scene, 3).unwrap();
         let sound = finer(&sound, times);
         let rate_hz = sound.sample_rate_hz;
         let detected = detect(&sound);
@@ -802,7 +802,7 @@ fn sounds_that_are_no_drop_have_a_reason() {
         .collect();
     let clock = synth::render(&clock, &scene(40.0), 1).unwrap();
     assert!(matches!(reason(&clock.samples), Some(Code::PeriodicSounds)));
-    let few = synth::render(&usual_strikes()[..3], &scene(40.0), 1).unwrap();
+    let few = synth::render(&usual_events()[..3], &scene(40.0), 1).unwrap();
     assert!(matches!(reason(&few.samples), Some(Code::TooFewSounds)));
     let noise = synth::render(
         &[],
@@ -843,10 +843,7 @@ fn random_clicks_are_rarely_a_drop() {
 
 #[test]
 fn number_impacts_bridges_a_gap() {
-    let mut times: Vec<f64> = dropped(0.3, 0.9)
-        .iter()
-        .map(|strike| strike.time_s)
-        .collect();
+    let mut times: Vec<f64> = dropped(0.3, 0.9).iter().map(|event| event.time_s).collect();
     times.truncate(10);
     assert_eq!(train::number_impacts(&times), (0..10).collect::<Vec<u32>>());
     times.remove(6);
@@ -929,7 +926,7 @@ fn a_ball_that_falls_off_a_table_is_detected_on_both() {
 
 #[test]
 fn of_more_drops_than_the_limit_the_first_are_analysed_and_the_rest_is_said() {
-    let mut detection = detect(&synth::render(&usual_strikes(), &scene(40.0), 1).unwrap());
+    let mut detection = detect(&synth::render(&usual_events(), &scene(40.0), 1).unwrap());
     let train = detection.found.trains[0].clone();
     let end_s = train.end_s();
     detection.found.trains = vec![train; 1_001];

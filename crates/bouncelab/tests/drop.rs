@@ -120,12 +120,12 @@ proptest! {
     ) {
         let contact = Contact::new(Restitution::constant(0.9).unwrap(), contact_time_s).unwrap();
         let history = drop::simulate(&table_tennis(law), &contact, start, Stop::after(10)).unwrap();
-        let strikes: Vec<_> = history.impact_events().collect();
-        prop_assert_eq!(strikes.len(), 11);
-        prop_assert_eq!(strikes[10], history.landing());
+        let events: Vec<_> = history.impact_events().collect();
+        prop_assert_eq!(events.len(), 11);
+        prop_assert_eq!(events[10], history.landing());
         for (i, bounce) in history.bounces().iter().enumerate() {
             let launch_s = bounce.time_s + contact_time_s;
-            prop_assert!((launch_s + bounce.flight.time_s() - strikes[i + 1].time_s).abs() < 1e-12);
+            prop_assert!((launch_s + bounce.flight.time_s() - events[i + 1].time_s).abs() < 1e-12);
             prop_assert!(history.height_at(bounce.time_s - 1e-12).abs() < 1e-9);
             prop_assert!(history.height_at(bounce.time_s + 0.5 * contact_time_s) < 1e-12);
             prop_assert!(history.height_at(launch_s + 1e-12) < 1e-9);

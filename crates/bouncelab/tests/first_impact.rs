@@ -68,9 +68,9 @@ fn named(found: &Posterior, code: Code) -> Option<&Diagnostic> {
     found.diagnostics.iter().find(|it| it.code == code)
 }
 
-/// The first impact heard would be the second of a drop from 70 cm, but nothing is heard where the first would be.
+/// The first impact detected would be the second of a drop from 70 cm, but nothing sounds where the first would be.
 #[test]
-fn a_height_that_needs_unheard_impacts_is_contradicted() {
+fn a_height_that_needs_undetected_impacts_is_contradicted() {
     let sound = recorded(&impacts(0.47), 2.2);
     let found = posterior(&sound.samples, sound.sample_rate_hz, &stated(0.70));
     let height = found.drop_height_m;
@@ -85,7 +85,7 @@ fn a_height_that_needs_unheard_impacts_is_contradicted() {
 
 /// So is a release too long before the first impact.
 #[test]
-fn a_release_that_needs_unheard_impacts_is_contradicted() {
+fn a_release_that_needs_undetected_impacts_is_contradicted() {
     let sound = recorded(&impacts(0.47), 2.2);
     let first_s = sound.impacts[0].time_s;
     let mut options = options();
@@ -114,8 +114,8 @@ fn a_release_that_needs_unheard_impacts_is_contradicted() {
 fn a_height_that_needs_impacts_before_the_recording_is_believed() {
     let sound = recorded(&impacts(0.70), 0.2);
     let later = (sound.impacts[0].time_s + 0.1) * f64::from(sound.sample_rate_hz);
-    let heard = &sound.samples[later as usize..];
-    let found = posterior(heard, sound.sample_rate_hz, &stated(0.70));
+    let rest = &sound.samples[later as usize..];
+    let found = posterior(rest, sound.sample_rate_hz, &stated(0.70));
     assert!(found.missed_first_impacts.as_ref().unwrap()[1] > 0.9);
     assert!(named(&found, Code::HeightContradictsTimes).is_none());
     assert!(named(&found, Code::FirstImpactsMissed).is_some());

@@ -10,9 +10,9 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 
-struct World(ChaCha8Rng);
+struct Simulator(ChaCha8Rng);
 
-impl World {
+impl Simulator {
     fn new(seed: u64) -> Self {
         Self(ChaCha8Rng::seed_from_u64(seed))
     }
@@ -72,11 +72,11 @@ fn falling(speed_m_s: f64) -> f64 {
 /// Drops from unlike heights tell unlike parts of one curve: each is used, and the curve holds over all of them.
 #[test]
 fn drops_from_unlike_heights_tell_one_curve() {
-    let mut world = World::new(1);
+    let mut simulator = Simulator::new(1);
     let ranges = [[0.4, 0.7, 1.0], [0.9, 1.3, 1.8], [1.6, 2.4, 3.5]];
     let drops = (0..30).map(|place| {
-        let level = world.normal(0.002);
-        world.drop(&ranges[place % 3], falling, level, 0.001)
+        let level = simulator.normal(0.002);
+        simulator.drop(&ranges[place % 3], falling, level, 0.001)
     });
     let study = studied(drops.collect(), |_| Vec::new(), &Asked::default());
     let [group] = study.groups.as_slice() else {
@@ -124,13 +124,13 @@ fn equal_drops_have_the_textbook_mean() {
 #[test]
 fn intervals_hold_the_truth() {
     const REPEATS: usize = 300;
-    let mut world = World::new(2);
+    let mut simulator = Simulator::new(2);
     let (mut of_mean, mut of_difference, mut of_scatter) = (0, 0, 0);
     for _ in 0..REPEATS {
         let drops = (0..20).map(|place| {
-            let level = world.normal(0.002) - 0.01 * (place % 2) as f64;
+            let level = simulator.normal(0.002) - 0.01 * (place % 2) as f64;
             let fastest = [1.5, 3.0][place / 2 % 2];
-            world.drop(&[0.7, 1.0, fastest], falling, level, 0.001)
+            simulator.drop(&[0.7, 1.0, fastest], falling, level, 0.001)
         });
         let asked = Asked {
             by: vec![0],
@@ -159,11 +159,11 @@ fn intervals_hold_the_truth() {
 /// What drops share does not average out, but cancels in the difference of two groups of one ball.
 #[test]
 fn what_drops_share_does_not_average_out() {
-    let mut world = World::new(3);
+    let mut simulator = Simulator::new(3);
     let drops: Vec<CurveEvidence> = (0..200)
         .map(|place| {
-            let level = world.normal(0.001) - 0.01 * f64::from(place % 2);
-            let mut drop = world.drop(&[0.7, 1.4], falling, level, 0.001);
+            let level = simulator.normal(0.001) - 0.01 * f64::from(place % 2);
+            let mut drop = simulator.drop(&[0.7, 1.4], falling, level, 0.001);
             for reading in &mut drop.readings {
                 // One standard deviation of the contact time is 0.5 % of e.
                 reading.shared[3] = 5.0;
@@ -193,11 +193,11 @@ fn what_drops_share_does_not_average_out() {
 /// Three operators that differ by a per cent: results of one agree better than results of all.
 #[test]
 fn operators_scatter_beside_the_drops() {
-    let mut world = World::new(4);
+    let mut simulator = Simulator::new(4);
     let of_operator = [0.01, -0.008, -0.002];
     let drops = (0..45).map(|place| {
-        let level = world.normal(0.001) + of_operator[place % 3];
-        world.drop(&[0.7, 1.4], falling, level, 0.0005)
+        let level = simulator.normal(0.001) + of_operator[place % 3];
+        simulator.drop(&[0.7, 1.4], falling, level, 0.0005)
     });
     let asked = Asked {
         random: vec![0],
@@ -227,7 +227,7 @@ fn operators_scatter_beside_the_drops() {
 /// Sums of parts of unlike speeds, read apart and merged in any order, give the groups that all drops give.
 #[test]
 fn sums_of_parts_are_merged() {
-    let mut world = World::new(11);
+    let mut simulator = Simulator::new(11);
     let ranges = [[0.4, 0.7, 1.0], [0.9, 1.3, 1.8], [3.1, 4.4, 7.5]];
     let asked = Asked {
         by: vec![0],
@@ -237,9 +237,9 @@ fn sums_of_parts_are_merged() {
     };
     let drops: Vec<StudyDrop> = (0..60)
         .map(|place| {
-            let level = world.normal(0.002);
+            let level = simulator.normal(0.002);
             StudyDrop {
-                evidence: world.drop(&ranges[place % 3], falling, level, 0.001),
+                evidence: simulator.drop(&ranges[place % 3], falling, level, 0.001),
                 scatter: Some(0.003),
                 levels: vec![Some(place / 3 % 2), (place % 5 > 0).then_some(place % 5)],
             }
@@ -284,10 +284,10 @@ fn sums_of_parts_are_merged() {
 #[test]
 fn a_drop_of_another_ball_is_named() {
     for seed in 0..20 {
-        let mut world = World::new(100 + seed);
+        let mut simulator = Simulator::new(100 + seed);
         let drops = (0..20).map(|place| {
-            let level = world.normal(0.002) - if place == 7 { 0.03 } else { 0.0 };
-            world.drop(&[0.7, 1.4], falling, level, 0.001)
+            let level = simulator.normal(0.002) - if place == 7 { 0.03 } else { 0.0 };
+            simulator.drop(&[0.7, 1.4], falling, level, 0.001)
         });
         let study = studied(drops.collect(), |_| Vec::new(), &Asked::default());
         assert_eq!(study.outliers.first().map(|outlier| outlier.drop), Some(7));
@@ -299,11 +299,11 @@ fn a_drop_of_another_ball_is_named() {
 /// With as many drops as planned the interval is about as narrow as was wanted.
 #[test]
 fn the_planned_number_of_drops_suffices() {
-    let mut world = World::new(5);
+    let mut simulator = Simulator::new(5);
     let mut group = |count: usize| {
         let drops = (0..count).map(|_| {
-            let level = world.normal(0.003);
-            world.drop(&[0.7, 1.4], falling, level, 0.001)
+            let level = simulator.normal(0.003);
+            simulator.drop(&[0.7, 1.4], falling, level, 0.001)
         });
         let asked = Asked {
             wanted: Some(0.001),
@@ -420,12 +420,12 @@ fn few_drops_are_uncertain() {
 #[test]
 fn outliers_are_named_and_good_drops_seldom() {
     const REPEATS: usize = 500;
-    let mut world = World::new(6);
+    let mut simulator = Simulator::new(6);
     let (mut falsely, mut found) = (0, 0);
     for _ in 0..REPEATS {
         let mut drops: Vec<Measured> = (0..20)
             .map(|_| Measured {
-                value: 0.93 + world.normal(0.0022),
+                value: 0.93 + simulator.normal(0.0022),
                 sd: 0.001,
             })
             .collect();

@@ -22,7 +22,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 
-/// A drop of the default ball, as it would be heard.
+/// A drop of the default ball, as the detector would give it.
 struct Truth {
     environment: Environment,
     law: Restitution,
@@ -59,18 +59,15 @@ impl Truth {
         let contact_s = Options::default().contact_time_s;
         let fall = model.fall(self.height_m).unwrap();
         let restitution = |speed: f64| self.law.at(speed) * (self.scatter * normal()).exp();
-        let strikes: Vec<ImpactEvent> =
+        let events: Vec<ImpactEvent> =
             bouncing(model, contact_s, fall.impact_speed_m_s, restitution)
                 .take(self.impacts)
                 .collect();
-        let heard = strikes.iter().zip(1..).map(|(strike, number)| {
-            Impact::new(
-                number,
-                fall.time_s + strike.time_s + self.sigma_s * normal(),
-            )
-            .with_time_sd_s(self.sigma_s.max(1e-9))
+        let impacts = events.iter().zip(1..).map(|(event, number)| {
+            Impact::new(number, fall.time_s + event.time_s + self.sigma_s * normal())
+                .with_time_sd_s(self.sigma_s.max(1e-9))
         });
-        heard.collect()
+        impacts.collect()
     }
 
     fn infer(&self, impacts: &[Impact], priors: &Priors) -> Result<Posterior> {
@@ -210,7 +207,7 @@ fn the_answer_does_not_depend_on_the_truncation() {
     assert!((last - first).abs() > 10.0 * error, "{line_moves:?}");
 }
 
-/// With the height known, a drop whose first two impacts went unheard is seen to be one.
+/// With the height known, a drop whose first two impacts were not detected is seen to be one.
 #[test]
 fn missed_first_impacts_are_counted() {
     let truth = Truth::new();
@@ -228,7 +225,7 @@ fn missed_first_impacts_are_counted() {
     };
     let found = truth.infer(&impacts, &priors).unwrap();
     assert!(found.missed_first_impacts.unwrap()[2] > 0.95);
-    // Without the height it is that of the fall before the first impact heard.
+    // Without the height it is that of the fall before the first impact detected.
     let found = truth.infer(&impacts, &constant_law()).unwrap();
     assert_eq!(found.missed_first_impacts, None);
     assert!(found.drop_height_m.value < 0.45);

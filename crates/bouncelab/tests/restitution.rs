@@ -15,11 +15,11 @@ fn history(model: &FlightModel, restitution: Restitution, contact_time_s: f64) -
     drop::simulate(model, &contact, Start::Height(0.5), Stop::after(12)).unwrap()
 }
 
-fn heard(history: &History, time_sd_s: Option<f64>) -> Vec<Impact> {
-    let strikes = history.impact_events().zip(1..);
-    strikes
-        .map(|(strike, number)| {
-            let mut impact = Impact::new(number, strike.time_s);
+fn detected(history: &History, time_sd_s: Option<f64>) -> Vec<Impact> {
+    let events = history.impact_events().zip(1..);
+    events
+        .map(|(event, number)| {
+            let mut impact = Impact::new(number, event.time_s);
             impact.time_sd_s = time_sd_s;
             impact
         })
@@ -37,7 +37,7 @@ proptest! {
         let law = [DragLaw::None, DragLaw::Constant(0.45), DragLaw::Standard][pick].clone();
         let model = table_tennis(law);
         let made = history(&model, Restitution::linear(at_rest, loss).unwrap(), contact_time_s);
-        let found = of_impacts(&heard(&made, None), contact_time_s, &model).unwrap();
+        let found = of_impacts(&detected(&made, None), contact_time_s, &model).unwrap();
         prop_assert_eq!(found.flights.len(), 12);
         prop_assert_eq!(found.impacts.len(), 11);
         for (bounce, flight) in made.bounces().iter().zip(&found.flights) {
@@ -55,7 +55,7 @@ proptest! {
 fn without_drag_the_ratio_is_the_restitution() {
     let model = FlightModel::drag_free(9.81).unwrap();
     let made = history(&model, Restitution::constant(0.9).unwrap(), 0.0);
-    for impact in of_impacts(&heard(&made, None), 0.0, &model)
+    for impact in of_impacts(&detected(&made, None), 0.0, &model)
         .unwrap()
         .impacts
     {
@@ -70,7 +70,7 @@ fn the_bare_ratio_is_biased_by_drag() {
     let model = FlightModel::with_terminal_speed(9.81, 9.385).unwrap();
     let contact = Contact::instantaneous(Restitution::constant(0.95).unwrap());
     let made = drop::simulate(&model, &contact, Start::Height(0.30), Stop::after(10)).unwrap();
-    let found = of_impacts(&heard(&made, None), 0.0, &model).unwrap();
+    let found = of_impacts(&detected(&made, None), 0.0, &model).unwrap();
     let bias = |i: usize| {
         100.0 * (found.impacts[i].flight_time_ratio - found.impacts[i].restitution.value)
     };
@@ -86,7 +86,7 @@ fn errors_follow_the_times() {
         let model = table_tennis(law.clone());
         let sigma = 1e-4;
         let made = history(&model, Restitution::constant(0.93).unwrap(), 1e-3);
-        let impacts = heard(&made, Some(sigma));
+        let impacts = detected(&made, Some(sigma));
         let found = of_impacts(&impacts, 1e-3, &model).unwrap();
         for (i, impact) in found.impacts.iter().enumerate() {
             let mut variance = 0.0;
@@ -118,7 +118,7 @@ fn errors_follow_the_times() {
 fn gaps_are_skipped() {
     let model = table_tennis(DragLaw::Standard);
     let made = history(&model, Restitution::constant(0.93).unwrap(), 0.0);
-    let all = heard(&made, Some(1e-4));
+    let all = detected(&made, Some(1e-4));
     let whole = of_impacts(&all, 0.0, &model).unwrap();
     let missing: Vec<_> = all
         .iter()
@@ -137,7 +137,7 @@ fn gaps_are_skipped() {
 fn an_unknown_time_error_gives_no_standard_error() {
     let model = FlightModel::drag_free(9.81).unwrap();
     let made = history(&model, Restitution::constant(0.9).unwrap(), 0.0);
-    let mut impacts = heard(&made, Some(1e-4));
+    let mut impacts = detected(&made, Some(1e-4));
     impacts[2].time_sd_s = None;
     let found = of_impacts(&impacts, 0.0, &model).unwrap();
     let known: Vec<_> = found

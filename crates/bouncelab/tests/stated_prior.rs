@@ -52,14 +52,14 @@ fn impacts(
         let chi_squared: f64 = (0..6).map(|_| normal().powi(2)).sum();
         restitution(speed) * (scatter * normal() * (4.0 / chi_squared).sqrt()).exp()
     };
-    let struck = bouncing(model, contact_time_s, fall.impact_speed_m_s, kept);
-    let times_s: Vec<f64> = struck.take(count).map(|impact| impact.time_s).collect();
+    let events = bouncing(model, contact_time_s, fall.impact_speed_m_s, kept);
+    let times_s: Vec<f64> = events.take(count).map(|impact| impact.time_s).collect();
     let mut of_times = ChaCha8Rng::seed_from_u64(rng.random());
-    let heard = times_s.iter().zip(1..).map(|(time_s, number)| {
+    let impacts = times_s.iter().zip(1..).map(|(time_s, number)| {
         let off = of_times.sample::<f64, _>(StandardNormal);
         Impact::new(number, time_s + TIME_SD_S * off).with_time_sd_s(TIME_SD_S)
     });
-    heard.collect()
+    impacts.collect()
 }
 
 fn inferred(impacts: &[Impact], priors: &Priors, draws: usize) -> Posterior {
@@ -102,8 +102,8 @@ fn draws_from_the_prior_are_found_as_often_as_stated() {
             mean * ((0.03 * level + (0.03 - 0.07 * share) * tilt) / mean).exp()
         };
         let height_m = 0.3 * 3.0_f64.powf(rng.random());
-        let heard = impacts(restitution, height_m, scatter, 4, &mut rng);
-        let found = inferred(&heard, &prior, 400).drawn_unknowns(1).unwrap();
+        let impacts = impacts(restitution, height_m, scatter, 4, &mut rng);
+        let found = inferred(&impacts, &prior, 400).drawn_unknowns(1).unwrap();
         let curve = &found
             .posterior
             .iter()

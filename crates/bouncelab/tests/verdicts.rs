@@ -33,10 +33,7 @@ fn drop(restitution: f64, height_m: f64, settings: &Options) -> Drop {
     let model = settings.model().unwrap();
     let history =
         drop::simulate(&model, &contact, Start::Height(height_m), Stop::after(11)).unwrap();
-    let times_s: Vec<f64> = history
-        .impact_events()
-        .map(|strike| strike.time_s)
-        .collect();
+    let times_s: Vec<f64> = history.impact_events().map(|event| event.time_s).collect();
     analysis::analyze_impacts(analysis::impacts_of_times(&times_s), settings)
 }
 

@@ -72,7 +72,7 @@ export async function launch(options: Options = {}): Promise<Browser> {
 }
 
 /** What each Firefox hears: its own microphone plays no file. */
-const heard = new WeakMap<Browser, Preparation>();
+const preparations = new WeakMap<Browser, Preparation>();
 
 async function launchFirefox(
   which: NonNullable<typeof FIREFOX>,
@@ -80,7 +80,7 @@ async function launchFirefox(
   usual: LaunchOptions,
 ): Promise<Browser> {
   const browser = await firefox.launch(firefoxOptions(which, microphone, usual));
-  if (typeof microphone === 'object') heard.set(browser, hearing(microphone.file));
+  if (typeof microphone === 'object') preparations.set(browser, hearing(microphone.file));
   return browser;
 }
 
@@ -91,7 +91,7 @@ export async function newContext(
 ): Promise<BrowserContext> {
   const context = await browser.newContext(options);
   context.setDefaultTimeout(PATIENCE_MS);
-  await heard.get(browser)?.(context);
+  await preparations.get(browser)?.(context);
   return context;
 }
 

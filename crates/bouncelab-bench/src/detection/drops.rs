@@ -135,9 +135,9 @@ pub(crate) fn cells() -> Vec<Cell> {
     cells
 }
 
-/// The strikes of a drop down to bounces of 0.5 mm, its height and restitution drawn from a seed:
+/// The impacts of a drop down to bounces of 0.5 mm, its height and restitution drawn from a seed:
 /// 10 cm to 1.5 m, and what such a ball keeps.
-pub(crate) fn strikes(seed: u64, voice: &Voice) -> Vec<ImpactEvent> {
+pub(crate) fn impact_events(seed: u64, voice: &Voice) -> Vec<ImpactEvent> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let height_m = 0.1 * 15.0_f64.powf(rng.random());
     let (least, most) = if *voice == Voice::steel_ball() {
@@ -150,22 +150,22 @@ pub(crate) fn strikes(seed: u64, voice: &Voice) -> Vec<ImpactEvent> {
     let restitution: f64 = least + (most - least) * rng.random::<f64>();
     let mut speed_m_s = (2.0 * GRAVITY * height_m).sqrt();
     let mut time_s = 0.0;
-    let mut strikes = Vec::new();
+    let mut events = Vec::new();
     while speed_m_s * speed_m_s / (2.0 * GRAVITY) > 5e-4 {
-        strikes.push(ImpactEvent { time_s, speed_m_s });
+        events.push(ImpactEvent { time_s, speed_m_s });
         // Real ratios scatter by half a percent or so.
         let scatter = 1.0 + 0.005 * (rng.random::<f64>() - 0.5) * 12f64.sqrt();
         speed_m_s *= restitution * scatter;
         time_s += 2.0 * speed_m_s / GRAVITY;
     }
-    strikes
+    events
 }
 
 impl Cell {
     /// The recording of this seed.
     pub(crate) fn record(&self, seed: u64) -> Recording {
-        let strikes = strikes(seed, &self.scene.voice);
-        let mut sound = synth::render(&strikes, &self.scene, seed)
+        let events = impact_events(seed, &self.scene.voice);
+        let mut sound = synth::render(&events, &self.scene, seed)
             .unwrap_or_else(|e| panic!("{}: {e}", self.name));
         let mut snr_db = self.scene.noise.map_or(f64::INFINITY, |noise| noise.snr_db);
         if let Some(hum) = self.scene.hum {

@@ -19,12 +19,12 @@ pub(crate) struct Recorded {
     pub(crate) noise_rms: f64,
 }
 
-/// Records these strikes. The synthesiser samples its sounds as they are: what lies above half the
+/// Records these impacts. The synthesiser samples its sounds as they are: what lies above half the
 /// sample rate comes back below it, different in each impact, by where its samples happen to lie.
 /// A recorder filters that out first.
-pub(crate) fn record(strikes: &[ImpactEvent], scene: &Scene, seed: u64) -> Recorded {
+pub(crate) fn record(events: &[ImpactEvent], scene: &Scene, seed: u64) -> Recorded {
     let render = |scene: &Scene| {
-        synth::render(strikes, scene, seed).unwrap_or_else(|error| panic!("{error}"))
+        synth::render(events, scene, seed).unwrap_or_else(|error| panic!("{error}"))
     };
     let quiet = Scene {
         noise: None,
@@ -63,8 +63,8 @@ fn filter(fine: &[f32], length: usize) -> Vec<f32> {
         })
         .collect();
     let mut padded = vec![0.0; length * OVERSAMPLED + 2 * reach];
-    let heard = fine.len().min(length * OVERSAMPLED);
-    padded[reach..][..heard].copy_from_slice(&fine[..heard]);
+    let copied = fine.len().min(length * OVERSAMPLED);
+    padded[reach..][..copied].copy_from_slice(&fine[..copied]);
     (0..length)
         .map(|n| {
             let around = &padded[n * OVERSAMPLED..][..kernel.len()];

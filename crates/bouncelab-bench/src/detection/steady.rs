@@ -92,23 +92,23 @@ impl Verdict {
 /// Equal impacts but for their scatter, from the same seed in every length.
 fn clicks(rate_hz: f64, times: f64, speeds: f64, length_s: f64) -> Vec<ImpactEvent> {
     let mut rng = ChaCha8Rng::seed_from_u64(rate_hz as u64);
-    let strikes = (0..(rate_hz * length_s) as u32).map(|n| {
+    let events = (0..(rate_hz * length_s) as u32).map(|n| {
         let late = times * (2.0 * rng.random::<f64>() - 1.0);
         ImpactEvent {
             time_s: (f64::from(n) + late.max(0.0)) / rate_hz,
             speed_m_s: 0.3 * speeds.powf(rng.random()),
         }
     });
-    strikes.collect()
+    events.collect()
 }
 
-fn render(strikes: &[ImpactEvent]) -> Rendered {
+fn render(events: &[ImpactEvent]) -> Rendered {
     let scene = Scene {
         lead_in_s: 0.0,
         tail_s: 0.1,
         ..usual(40.0)
     };
-    synth::render(strikes, &scene, 1).unwrap_or_else(|error| panic!("clicks: {error}"))
+    synth::render(events, &scene, 1).unwrap_or_else(|error| panic!("clicks: {error}"))
 }
 
 /// Whether a drop that begins at this time among the clicks is found, so that most of its impacts are in one train, and
@@ -117,16 +117,16 @@ fn is_found(clicks: &[ImpactEvent], cut_s: f64, begins_s: f64) -> bool {
     let drop: Vec<ImpactEvent> = bouncing(begins_s).collect();
     let until_s = cut_s + 12.0;
     let around = clicks.iter().filter(|it| it.time_s < until_s).copied();
-    let mut strikes: Vec<ImpactEvent> = around.chain(drop.iter().copied()).collect();
-    strikes.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
-    let sound = render(&strikes);
+    let mut events: Vec<ImpactEvent> = around.chain(drop.iter().copied()).collect();
+    events.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
+    let sound = render(&events);
     let detection = detect(&sound.samples, sound.sample_rate_hz);
     let [train] = &detection.found.trains[..] else {
         return false;
     };
-    let is_detected = |strike: &&ImpactEvent| {
+    let is_detected = |event: &&ImpactEvent| {
         let mut impacts = train.impacts().iter();
-        impacts.any(|impact| (impact.onset.time_s - strike.time_s).abs() < 2e-3)
+        impacts.any(|impact| (impact.onset.time_s - event.time_s).abs() < 2e-3)
     };
     let detected = drop.iter().filter(is_detected).count();
     2 * detected > drop.len() && 2 * detected > train.impacts().len()
@@ -136,11 +136,11 @@ fn is_found(clicks: &[ImpactEvent], cut_s: f64, begins_s: f64) -> bool {
 fn bouncing(begins_s: f64) -> impl Iterator<Item = ImpactEvent> {
     let mut time_s = begins_s;
     (0..15).map(move |n| {
-        let strike = ImpactEvent {
+        let event = ImpactEvent {
             time_s,
             speed_m_s: 3.0 * 0.92_f64.powi(n),
         };
-        time_s += 2.0 * 0.92 * strike.speed_m_s / 9.81;
-        strike
+        time_s += 2.0 * 0.92 * event.speed_m_s / 9.81;
+        event
     })
 }

@@ -1,7 +1,7 @@
 //! Errors of the times: against the Cramer-Rao bound, against their stated standard errors, and
 //! against loudness.
 
-use super::drops::{detect, strikes, usual};
+use super::drops::{detect, impact_events, usual};
 use super::recorder::record;
 use crate::held::median;
 use bouncelab::synth::{BitDepth, Scene, Voice};
@@ -86,7 +86,7 @@ fn time(voice: &str, snr_db: f64, phase_scatter_rad: f64, seed: u64) -> Vec<Time
         bit_depth: BitDepth::Float,
         ..usual(snr_db)
     };
-    let recorded = record(&strikes(seed, &scene.voice), &scene, seed);
+    let recorded = record(&impact_events(seed, &scene.voice), &scene, seed);
     let sound = &recorded.noisy;
     let rate = f64::from(sound.sample_rate_hz);
     let detection = detect(&sound.samples, sound.sample_rate_hz);

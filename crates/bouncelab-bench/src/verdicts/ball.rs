@@ -297,7 +297,7 @@ impl RealBall {
             restitution,
         )
         .take(3)
-        .map(|strike| strike.time_s)
+        .map(|event| event.time_s)
         .collect();
         let impacts = times.iter().zip(1..).map(|(time_s, number)| {
             let time_s = time_s + TIMING_S * normal(chance);

@@ -455,11 +455,11 @@ fn listen(
         let mut setup = opened.setup.clone();
         // Only whether the drop is over matters now; it is analysed as a recording of the job.
         setup.options.inference = None;
-        let heard = listen::one_drop(&source, setup, &file);
-        if heard.is_err() && stop.requested() {
+        let listened = listen::one_drop(&source, setup, &file);
+        if listened.is_err() && stop.requested() {
             break;
         }
-        heard?;
+        listened?;
         let microphone = || text("job-microphone");
         let given_as = source
             .from

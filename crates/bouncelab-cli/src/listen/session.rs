@@ -32,8 +32,8 @@ pub(super) fn run(task: &Task, setup: Setup) -> Result<(), Failure> {
     let mut session = Session::new(task, setup, recording, saver.files().to_vec())?;
     let recording = LiveRecording::start(sound, saver, Stop::on_request(), session.last_frame)?;
     session.begin();
-    let heard = outlived(&recording, |event| session.take(event, &recording));
-    session.conclude(heard, recording.ended())
+    let listened = outlived(&recording, |event| session.take(event, &recording));
+    session.conclude(listened, recording.ended())
 }
 
 /// Passes events to `take` until the sound ends or `take` stops. If `take` fails or panics, a recording that is saved
@@ -235,7 +235,7 @@ impl<'a> Session<'a> {
         Ok(())
     }
 
-    /// Replaces sound that is saved, but was not heard, by silence of the same length.
+    /// Replaces sound that is saved, but was not analysed, by silence of the same length.
     fn leave_out(&mut self, frames: u64) -> Result<(), Failure> {
         self.fill_gap(usize::try_from(frames).unwrap_or(usize::MAX), true)?;
         self.lost_frames += frames;
@@ -338,14 +338,14 @@ impl<'a> Session<'a> {
         Ok(format!("{line}\n"))
     }
 
-    fn conclude(mut self, heard: Result<(), Failure>, ended: Ended) -> Result<(), Failure> {
+    fn conclude(mut self, listened: Result<(), Failure>, ended: Ended) -> Result<(), Failure> {
         self.screen.clear();
         self.files = ended.files;
         self.is_incomplete = ended.is_incomplete;
         for trouble in &ended.troubles {
             self.screen.say(trouble);
         }
-        if let Err(failure) = heard {
+        if let Err(failure) = listened {
             self.report_saved();
             return Err(failure);
         }
@@ -556,12 +556,14 @@ mod tests {
 
     /// Restitution 0.9, 2.4 m/s at first, 0.5 s before the first impact.
     fn drop_sound() -> Vec<f32> {
-        let strikes: Vec<_> = bouncelab_testkit::strikes(2.4, 0.9).take(20).collect();
+        let events: Vec<_> = bouncelab_testkit::impact_events(2.4, 0.9)
+            .take(20)
+            .collect();
         let scene = Scene {
             tail_s: 5.0,
             ..Scene::default()
         };
-        synth::render(&strikes, &scene, 3).unwrap().samples
+        synth::render(&events, &scene, 3).unwrap().samples
     }
 
     #[test]
@@ -609,8 +611,8 @@ mod tests {
             let mut session = Session::new(&task, setup, sound.info(), files).unwrap();
             let recording =
                 LiveRecording::start(sound, saver, Stop::on_request(), u64::MAX).unwrap();
-            let heard = outlived(&recording, |event| session.take(event, &recording));
-            let concluded = session.conclude(heard, recording.ended());
+            let listened = outlived(&recording, |event| session.take(event, &recording));
+            let concluded = session.conclude(listened, recording.ended());
             let source = bouncelab_audio::SoundReader::open(&saved).unwrap();
             std::fs::remove_file(&saved).unwrap();
             (concluded.map_err(|it| it.to_string()), source.gaps().len())

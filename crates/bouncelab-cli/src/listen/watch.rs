@@ -72,7 +72,7 @@ impl Glimpse {
 #[cfg(test)]
 mod tests {
     use bouncelab::synth::{self, Scene};
-    use bouncelab_testkit::strikes;
+    use bouncelab_testkit::impact_events;
 
     use super::*;
 
@@ -82,8 +82,8 @@ mod tests {
             tail_s: 6.0,
             ..Scene::default()
         };
-        let strikes: Vec<_> = strikes(2.4, 0.88).take(15).collect();
-        synth::render(&strikes, &scene, 2).unwrap().samples
+        let events: Vec<_> = impact_events(2.4, 0.88).take(15).collect();
+        synth::render(&events, &scene, 2).unwrap().samples
     }
 
     #[test]

@@ -154,18 +154,18 @@ fn hears_a_drop(card_hz: u32) {
     server.play(&sound(&[0.0], restitution, 1.0));
     let (said, output) = listener.end();
     assert!(output.status.success(), "{said}");
-    let heard = drops(&lines(&output.stdout));
-    assert_eq!(heard.len(), 1);
-    let e = &heard[0]["posterior"]["restitution"];
+    let detected = drops(&lines(&output.stdout));
+    assert_eq!(detected.len(), 1);
+    let e = &detected[0]["posterior"]["restitution"];
     let (value, sd) = (e["value"].as_f64().unwrap(), e["sd"].as_f64().unwrap());
     assert!((value - restitution).abs() < 4.0 * sd, "{value} +- {sd}");
-    let times: Vec<f64> = heard[0]["impacts"]
+    let times: Vec<f64> = detected[0]["impacts"]
         .as_array()
         .unwrap()
         .iter()
         .map(|impact| impact["time_s"].as_f64().unwrap())
         .collect();
-    let truth: Vec<ImpactEvent> = bouncelab_testkit::strikes(2.4, restitution)
+    let truth: Vec<ImpactEvent> = bouncelab_testkit::impact_events(2.4, restitution)
         .take(15)
         .collect();
     for (flight, truth) in times.windows(2).zip(truth.windows(2)) {

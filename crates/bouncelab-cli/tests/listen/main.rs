@@ -15,7 +15,7 @@ use bouncelab::analysis::Gap;
 use bouncelab::impact::ImpactEvent;
 use bouncelab::synth::{self, Scene};
 use bouncelab_audio::{Recorder, SampleFormat, SoundReader};
-use bouncelab_testkit::{strikes, write_wav};
+use bouncelab_testkit::{impact_events, write_wav};
 use predicates::prelude::*;
 use serde_json::Value;
 use tempfile::TempDir;
@@ -57,19 +57,19 @@ fn drops(documents: &[Value]) -> Vec<Value> {
 /// The sound of drag-free drops that begin at these times: fifteen impacts, 2.4 m/s at first.
 fn sound(starts_s: &[f64], restitution: f64, tail_s: f64) -> Vec<f32> {
     let drop = |&start_s: &f64| {
-        let later = move |strike: ImpactEvent| ImpactEvent {
-            time_s: start_s + strike.time_s,
-            ..strike
+        let later = move |event: ImpactEvent| ImpactEvent {
+            time_s: start_s + event.time_s,
+            ..event
         };
-        strikes(2.4, restitution).take(15).map(later)
+        impact_events(2.4, restitution).take(15).map(later)
     };
-    let strikes: Vec<ImpactEvent> = starts_s.iter().flat_map(drop).collect();
+    let events: Vec<ImpactEvent> = starts_s.iter().flat_map(drop).collect();
     let scene = Scene {
         sample_rate_hz: RATE_HZ,
         tail_s,
         ..Scene::default()
     };
-    synth::render(&strikes, &scene, 5).unwrap().samples
+    synth::render(&events, &scene, 5).unwrap().samples
 }
 
 fn recording(folder: &TempDir, samples: &[f32]) -> PathBuf {
@@ -132,8 +132,8 @@ fn a_played_file_says_what_analyze_says() {
     let file = one_drop(&folder);
     let output = play(&file).args(["--format", "json"]).output().unwrap();
     assert!(output.status.success());
-    let (heard, expected) = (lines(&output.stdout), analyze(&file));
-    assert_eq!(heard.len(), 1);
+    let (printed, expected) = (lines(&output.stdout), analyze(&file));
+    assert_eq!(printed.len(), 1);
     for part in [
         "schema",
         "recording",
@@ -142,7 +142,7 @@ fn a_played_file_says_what_analyze_says() {
         "diagnostics",
         "no_drop",
     ] {
-        assert_eq!(heard[0][part], expected[part], "{part}");
+        assert_eq!(printed[0][part], expected[part], "{part}");
     }
     // The report is that of analyze, but for the length of what was heard.
     let report = |command: &mut Command| {
@@ -160,12 +160,12 @@ fn a_release_is_of_the_drop_that_begins_next() {
     let file = three_drops(&folder);
     // A quarter of a second before the first impact of the second drop.
     let stated = ["--format", "json", "--release", "8.255s"];
-    let heard = lines(&play(&file).args(stated).output().unwrap().stdout);
+    let printed = lines(&play(&file).args(stated).output().unwrap().stdout);
     let expected = bouncelab(&["analyze"]).args(stated).arg(&file).output();
     let expected: Value = serde_json::from_slice(&expected.unwrap().stdout).unwrap();
-    assert_eq!(Value::from(drops(&heard)), expected["drops"]);
+    assert_eq!(Value::from(drops(&printed)), expected["drops"]);
     let uses_it = |drop: &Value| !drop["posterior"]["missed_first_impacts"].is_null();
-    let uses_it: Vec<bool> = drops(&heard).iter().map(uses_it).collect();
+    let uses_it: Vec<bool> = drops(&printed).iter().map(uses_it).collect();
     assert_eq!(uses_it, [false, true, false]);
 }
 
@@ -176,10 +176,10 @@ fn a_release_after_every_drop_is_of_none() {
     let stated = ["--format", "json", "--release", "500s", "--draws", "100"];
     let said = predicate::str::contains("No drop begins after");
     let played = play(&file).args(stated).assert().success();
-    let heard = lines(&played.stderr(said).get_output().stdout);
+    let printed = lines(&played.stderr(said).get_output().stdout);
     let expected = bouncelab(&["analyze"]).args(stated).arg(&file).output();
     let expected: Value = serde_json::from_slice(&expected.unwrap().stdout).unwrap();
-    assert_eq!(Value::from(drops(&heard)), expected["drops"]);
+    assert_eq!(Value::from(drops(&printed)), expected["drops"]);
     let warning = expected["diagnostics"][0]["message"].as_str().unwrap();
     assert!(warning.contains("No drop begins after"), "{warning}");
 }
@@ -189,9 +189,9 @@ fn each_drop_is_reported_in_turn_and_in_the_table() {
     let folder = TempDir::new().unwrap();
     let file = three_drops(&folder);
     let output = play(&file).args(["--format", "json"]).output().unwrap();
-    let heard = lines(&output.stdout);
-    assert_eq!(heard.len(), 3);
-    assert_eq!(Value::from(drops(&heard)), analyze(&file)["drops"]);
+    let printed = lines(&output.stdout);
+    assert_eq!(printed.len(), 3);
+    assert_eq!(Value::from(drops(&printed)), analyze(&file)["drops"]);
 
     let text = String::from_utf8(play(&file).output().unwrap().stdout).unwrap();
     let table = &text[text.find("All drops:").unwrap()..];
@@ -291,10 +291,10 @@ fn without_a_drop_it_says_why_as_analyze_does() {
             "no drop found: The recording is silent",
         ))
         .stdout(predicate::function(|text: &str| {
-            let heard = lines(text.as_bytes());
-            heard.len() == 1
-                && heard[0]["no_drop"]["message"].is_string()
-                && drops(&heard).is_empty()
+            let printed = lines(text.as_bytes());
+            printed.len() == 1
+                && printed[0]["no_drop"]["message"].is_string()
+                && drops(&printed).is_empty()
         }));
     let short = recording(&folder, &[0.5]);
     play(&short).assert().code(1);
@@ -528,9 +528,9 @@ mod microphone {
         let stderr = String::from_utf8_lossy(&output.stderr);
         let is_lost = stderr.contains("not all of the sound was saved");
         assert_eq!(output.status.code(), Some(i32::from(is_lost)), "{stderr}");
-        let heard = lines(&output.stdout);
-        assert_eq!(heard[0]["recording"], "mic.wav");
-        assert_eq!(drops(&heard).len(), 1);
+        let printed = lines(&output.stdout);
+        assert_eq!(printed[0]["recording"], "mic.wav");
+        assert_eq!(drops(&printed).len(), 1);
 
         let saved = super::samples(&folder.path().join("mic.wav"));
         let common = saved.len().min(samples.len());
@@ -538,7 +538,7 @@ mod microphone {
         assert_eq!(saved[..common], samples[..common]);
         // The sound that came directly says the same.
         let direct = analyze(&recording(&folder, &samples));
-        assert_eq!(heard[0]["drops"], direct["drops"]);
+        assert_eq!(printed[0]["drops"], direct["drops"]);
     }
 
     #[test]

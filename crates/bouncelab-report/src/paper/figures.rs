@@ -70,12 +70,12 @@ fn sound(translator: &Translator) -> Result<Chart> {
         behind_the_regression(10)?,
         Stop::below(5e-4),
     )?;
-    let strikes: Vec<ImpactEvent> = history.impact_events().collect();
+    let events: Vec<ImpactEvent> = history.impact_events().collect();
     let scene = Scene {
         noise: Some(Noise::pink(40.0)),
         ..Scene::default()
     };
-    let recording = synth::render(&strikes, &scene, 1)?;
+    let recording = synth::render(&events, &scene, 1)?;
     let mut detector = Detector::new(recording.sample_rate_hz, 1);
     detector.push(&[&recording.samples]);
     let detection = detector.finish();

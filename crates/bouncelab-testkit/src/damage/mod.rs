@@ -31,15 +31,15 @@ pub fn drop(sample_rate_hz: u32) -> Rendered {
         // Without order from one impact to the next.
         0.86 * (1.0 + 0.007 * f64::sin(2.4 * number * number))
     };
-    let strikes = crate::bouncing(model, options.contact_time_s, 2.6, restitution);
-    let strikes: Vec<_> = strikes.take(16).collect();
+    let events = crate::bouncing(model, options.contact_time_s, 2.6, restitution);
+    let events: Vec<_> = events.take(16).collect();
     let scene = Scene {
         sample_rate_hz,
         lead_in_s: 0.7,
         noise: Some(Noise::white(40.0)),
         ..Scene::default()
     };
-    render(&strikes, &scene, 11).expect("a scene that can be rendered")
+    render(&events, &scene, 11).expect("a scene that can be rendered")
 }
 
 /// The drop in every format: names and files. Compressed ones are in an archive that

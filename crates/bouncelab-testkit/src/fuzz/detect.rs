@@ -75,9 +75,9 @@ pub(super) fn detect_long(bytes: &[u8]) {
     assert_eq!(times(&whole), times(&parts), "the blocks make a difference");
 }
 
-/// Strikes that come again after a period, in noise.
+/// Impacts that repeat after a period, in noise.
 struct Piece {
-    strikes_s: Vec<f64>,
+    impacts_s: Vec<f64>,
     period_s: f64,
     level: f64,
     noise: f64,
@@ -86,18 +86,18 @@ struct Piece {
 
 impl Piece {
     fn of([kind, level, rate, length]: [u8; 4]) -> Self {
-        let (strikes_s, period_s) = match kind % 3 {
+        let (impacts_s, period_s) = match kind % 3 {
             0 => (Vec::new(), 1.0),
             // From 0.1 to 1,000 a second.
             1 => (vec![0.0], 10_f64.powf(1.0 - f64::from(rate) / 63.75)),
             _ => {
-                let drop = crate::strikes(2.4, 0.5 + f64::from(rate) / 520.0);
-                let times = drop.take(40).map(|strike| strike.time_s);
+                let drop = crate::impact_events(2.4, 0.5 + f64::from(rate) / 520.0);
+                let times = drop.take(40).map(|event| event.time_s);
                 (times.take_while(|&time_s| time_s < 18.0).collect(), 20.0)
             }
         };
         Self {
-            strikes_s,
+            impacts_s,
             period_s,
             level: f64::from(level) / 256.0,
             noise: 10_f64.powi(-i32::from(kind / 3 % 8)),
@@ -119,10 +119,10 @@ impl Piece {
     fn sample(&self, time_s: f64, noise: f64) -> f32 {
         let phase_s = time_s % self.period_s;
         let before = self
-            .strikes_s
-            .partition_point(|&strike_s| strike_s <= phase_s);
-        let strike_s = before.checked_sub(1).map(|last| self.strikes_s[last]);
-        let click = strike_s.map_or(0.0, |strike_s| ring(phase_s - strike_s));
+            .impacts_s
+            .partition_point(|&impact_s| impact_s <= phase_s);
+        let impact_s = before.checked_sub(1).map(|last| self.impacts_s[last]);
+        let click = impact_s.map_or(0.0, |impact_s| ring(phase_s - impact_s));
         (self.level * (click + self.noise * noise)) as f32
     }
 }

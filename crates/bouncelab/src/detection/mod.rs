@@ -11,15 +11,15 @@
 //! use bouncelab::synth::{self, Scene};
 //!
 //! let mut time_s = 0.0;
-//! let strikes: Vec<ImpactEvent> = (0..20)
+//! let events: Vec<ImpactEvent> = (0..20)
 //!     .map(|n| {
 //!         let speed_m_s = 2.4 * 0.9_f64.powi(n);
-//!         let strike = ImpactEvent { time_s, speed_m_s };
+//!         let event = ImpactEvent { time_s, speed_m_s };
 //!         time_s += 2.0 * 0.9 * speed_m_s / 9.81;
-//!         strike
+//!         event
 //!     })
 //!     .collect();
-//! let recording = synth::render(&strikes, &Scene::default(), 7)?;
+//! let recording = synth::render(&events, &Scene::default(), 7)?;
 //!
 //! let mut detector = Detector::new(recording.sample_rate_hz, 1);
 //! for block in recording.samples.chunks(1024) {

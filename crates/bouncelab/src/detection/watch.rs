@@ -201,12 +201,12 @@ mod tests {
 
     /// Two drops of fifteen impacts each, 6 s apart.
     fn two_drops() -> Vec<f32> {
-        let mut strikes = Vec::new();
+        let mut events = Vec::new();
         for start_s in [0.0, 9.0] {
             let mut time_s = start_s;
             for n in 0..15 {
                 let speed_m_s = 2.4 * 0.88_f64.powi(n);
-                strikes.push(ImpactEvent { time_s, speed_m_s });
+                events.push(ImpactEvent { time_s, speed_m_s });
                 time_s += 2.0 * 0.88 * speed_m_s / 9.81;
             }
         }
@@ -214,7 +214,7 @@ mod tests {
             tail_s: 6.0,
             ..Scene::default()
         };
-        synth::render(&strikes, &scene, 2).unwrap().samples
+        synth::render(&events, &scene, 2).unwrap().samples
     }
 
     /// The reported drops, and the time of each report in seconds, if the sound comes in blocks of this size.

@@ -72,13 +72,13 @@ impl Height {
     }
 
     /// The height by the sound alone, the statement divided out, if it tells anything; and its shared variance.
-    fn heard(&self) -> Option<(Measured, f64)> {
+    fn by_sound(&self) -> Option<(Measured, f64)> {
         let Some(stated) = self.stated_m else {
-            let heard = Measured {
+            let measured = Measured {
                 value: self.height_m,
                 sd: self.variance.sqrt(),
             };
-            return Some((heard, self.shared_variance));
+            return Some((measured, self.shared_variance));
         };
         let of_stated = stated.sd.powi(-2);
         let precision = 1.0 / self.variance - of_stated;
@@ -86,12 +86,12 @@ impl Height {
             return None;
         }
         let value = (self.height_m / self.variance - stated.value * of_stated) / precision;
-        let heard = Measured {
+        let measured = Measured {
             value,
             sd: precision.sqrt().recip(),
         };
         Some((
-            heard,
+            measured,
             self.shared_variance / (self.variance * precision).powi(2),
         ))
     }
@@ -105,12 +105,13 @@ pub(super) fn with_zero(heights: &[Option<Height>]) -> (Option<Estimate>, Vec<Op
         .filter(|height| height.stated_m.is_some());
     let (mut precision, mut sum, mut prior, mut shared, mut count) = (0.0, 0.0, 0.0, 0.0, 0.0);
     for height in stated {
-        let Some((stated, (heard, of_shared))) = height.stated_m.zip(height.heard()) else {
+        let Some((stated, (measured, of_shared))) = height.stated_m.zip(height.by_sound()) else {
             continue;
         };
-        let own = (heard.sd * heard.sd - of_shared).max(0.0) + (1.0 - OF_ZERO) * stated.sd.powi(2);
+        let own =
+            (measured.sd * measured.sd - of_shared).max(0.0) + (1.0 - OF_ZERO) * stated.sd.powi(2);
         precision += 1.0 / own;
-        sum += (stated.value - heard.value) / own;
+        sum += (stated.value - measured.value) / own;
         prior += OF_ZERO * stated.sd.powi(2);
         shared += of_shared;
         count += 1.0;
@@ -132,13 +133,13 @@ pub(super) fn with_zero(heights: &[Option<Height>]) -> (Option<Estimate>, Vec<Op
             stated.value - off,
             (1.0 - OF_ZERO) * stated.sd.powi(2) + of_zero,
         );
-        let (value, variance) = match height.heard() {
+        let (value, variance) = match height.by_sound() {
             None => read,
-            Some((heard, _)) => {
-                let weights = [1.0 / read.1, heard.sd.powi(-2)];
+            Some((measured, _)) => {
+                let weights = [1.0 / read.1, measured.sd.powi(-2)];
                 let sum = weights[0] + weights[1];
                 (
-                    (read.0 * weights[0] + heard.value * weights[1]) / sum,
+                    (read.0 * weights[0] + measured.value * weights[1]) / sum,
                     1.0 / sum,
                 )
             }

@@ -160,7 +160,7 @@ pub struct Study {
     pub scatters: Vec<(usize, Estimate)>,
     /// Each drop; `None` if it has no usable evidence.
     pub drops: Vec<Option<FittedDrop>>,
-    /// By how much stated heights are larger than those heard, m, if two or more are stated.
+    /// By how much stated heights are larger than those inferred from sound, m, if two or more are stated.
     pub ruler_zero_m: Option<Estimate>,
     /// Drops that do not belong to their group.
     pub outliers: Vec<Outlier>,

@@ -9,7 +9,7 @@ use super::medium::Medium;
 use super::numbering;
 use super::observed::Observed;
 use super::parameters::{
-    ALLOWED_BALL, LN_MISSED_FIRST, LN_UNHEARD, MAX_MISSED_FIRST, OTHER_FIRST, PRUNE_BELOW,
+    ALLOWED_BALL, LN_MISSED_FIRST, LN_UNDETECTED, MAX_MISSED_FIRST, OTHER_FIRST, PRUNE_BELOW,
 };
 use super::pool::{Draw, Pool, SamplerConfig};
 use super::possible_balls::PossibleBall;
@@ -384,7 +384,7 @@ impl SampledPosterior {
     pub(super) fn log_prior(&self, candidate: &Candidate) -> f64 {
         let observed = &self.numberings[candidate.numbering].observed;
         candidate.missed_first as f64 * LN_MISSED_FIRST
-            + self.unheard(candidate) as f64 * LN_UNHEARD
+            + self.undetected(candidate) as f64 * LN_UNDETECTED
             + observed.missed() as f64 * LN_MISSED
             + match observed.other_sound {
                 None => self.ln_odd_second,

@@ -204,9 +204,9 @@ pub(super) const ALLOWED_BALL: f64 = 3.0;
 /// Logarithm of the prior probability of one more impact before the first one detected: half as likely.
 pub(super) const LN_MISSED_FIRST: f64 = -LN_2;
 
-/// Logarithm of the probability that an impact as loud as the first one detected is not heard where nothing is nearly as
+/// Logarithm of the probability that an impact as loud as the first one detected is not detected where nothing is nearly as
 /// loud: one in a hundred thousand.
-pub(super) const LN_UNHEARD: f64 = -11.5;
+pub(super) const LN_UNDETECTED: f64 = -11.5;
 
 /// Logarithm of the probability that a height or a release is stated wrongly: one in ten.
 pub(super) const LN_STATED_WRONG: f64 = -2.3;

@@ -43,14 +43,14 @@ impl SampledPosterior {
         Ok(likeliest)
     }
 
-    /// Number of impacts before the first one detected that a candidate needs in a time in which none was heard.
-    pub(super) fn unheard(&self, candidate: &Candidate) -> usize {
+    /// Number of impacts before the first one detected that a candidate needs in a time in which none was detected.
+    pub(super) fn undetected(&self, candidate: &Candidate) -> usize {
         let model = self.model(candidate);
         let first = &model.observed.impacts[0];
         // If it is another sound, the time before that was as quiet.
-        let first_heard = model.observed.other_sound.as_ref().unwrap_or(first);
-        let since_s = first.time_s - first_heard.time_s;
-        let unheard = |quiet_s: f64| {
+        let first_sound = model.observed.other_sound.as_ref().unwrap_or(first);
+        let since_s = first.time_s - first_sound.time_s;
+        let undetected = |quiet_s: f64| {
             let point = model.point(candidate.fit.vector.as_slice())?;
             let table = model.table(&point)?;
             let before_s = missed_before_s(&table, &point, candidate.missed_first)?;
@@ -61,10 +61,10 @@ impl SampledPosterior {
                     .count(),
             )
         };
-        let quiet_s = first_heard.quiet_before_s;
+        let quiet_s = first_sound.quiet_before_s;
         quiet_s
             .filter(|_| candidate.missed_first > 0)
-            .and_then(unheard)
+            .and_then(undetected)
             .unwrap_or(0)
     }
 

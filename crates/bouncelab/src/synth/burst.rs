@@ -20,9 +20,9 @@ pub(super) struct Burst {
 }
 
 impl Burst {
-    /// Replaces the sound by modes (each with its phase at the onset) struck at `time_s` with
+    /// Replaces the sound by modes (each with its phase at the onset) excited at `time_s` with
     /// `level`, rising over `rise_s`, and evaluated at the exact sample times.
-    pub(super) fn strike(
+    pub(super) fn excite(
         &mut self,
         time_s: f64,
         modes: impl Iterator<Item = (Mode, f64)>,

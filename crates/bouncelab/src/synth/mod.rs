@@ -278,7 +278,7 @@ impl<'a> Studio<'a> {
                     .iter()
                     .map(|&mode| (mode, scene.phase_scatter_rad * normal(&mut rng)));
                 let time_s = scene.lead_in_s + event.time_s;
-                burst.strike(time_s, modes, level, self.rise_s, self.sample_rate_hz);
+                burst.excite(time_s, modes, level, self.rise_s, self.sample_rate_hz);
                 if !lost {
                     burst.add_to(samples, 1.0);
                 }
@@ -296,7 +296,7 @@ impl<'a> Studio<'a> {
             .unwrap_or_else(|| {
                 let mut burst = Burst::default();
                 let modes = self.modes.iter().map(|&mode| (mode, 0.0));
-                burst.strike(0.0, modes, 1.0, self.rise_s, self.sample_rate_hz);
+                burst.excite(0.0, modes, 1.0, self.rise_s, self.sample_rate_hz);
                 Loudness::of(&burst)
             });
         // All samples are divided by this, so it must be well above the smallest numbers of their type.
@@ -322,7 +322,7 @@ impl<'a> Studio<'a> {
             }
             let tick = std::iter::once((self.tick(&mut rng), 0.0));
             let rise_s = MIN_RISE_SAMPLES / self.sample_rate_hz;
-            burst.strike(time_s, tick, 1.0, rise_s, self.sample_rate_hz);
+            burst.excite(time_s, tick, 1.0, rise_s, self.sample_rate_hz);
             burst.add_to(samples, rms / burst.rms());
             onsets.push(time_s);
         }

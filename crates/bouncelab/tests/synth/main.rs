@@ -17,14 +17,14 @@ use rustfft::FftPlanner;
 use rustfft::num_complex::Complex32;
 
 /// Four impacts at times that lie on no sample of any usual rate.
-const STRIKES: [ImpactEvent; 4] = [
-    strike(0.012_345_678, 2.4),
-    strike(0.472_135_955, 2.2),
-    strike(0.899_331_245, 2.0),
-    strike(1.297_012_345, 1.9),
+const EVENTS: [ImpactEvent; 4] = [
+    event(0.012_345_678, 2.4),
+    event(0.472_135_955, 2.2),
+    event(0.899_331_245, 2.0),
+    event(1.297_012_345, 1.9),
 ];
 
-const fn strike(time_s: f64, speed_m_s: f64) -> ImpactEvent {
+const fn event(time_s: f64, speed_m_s: f64) -> ImpactEvent {
     ImpactEvent { time_s, speed_m_s }
 }
 
@@ -40,7 +40,7 @@ fn bare() -> Scene {
 }
 
 fn rendered(scene: &Scene) -> Rendered {
-    render(&STRIKES, scene, 7).expect("the scene is valid")
+    render(&EVENTS, scene, 7).expect("the scene is valid")
 }
 
 fn rms(samples: &[f32]) -> f64 {
@@ -86,9 +86,9 @@ fn the_same_seed_gives_the_same_samples_and_another_seed_others() {
         lost: Lost::Chance(0.3),
         ..Scene::default()
     };
-    let first = render(&STRIKES, &scene, 1).unwrap();
-    assert_eq!(first, render(&STRIKES, &scene, 1).unwrap());
-    let other = render(&STRIKES, &scene, 2).unwrap();
+    let first = render(&EVENTS, &scene, 1).unwrap();
+    assert_eq!(first, render(&EVENTS, &scene, 1).unwrap());
+    let other = render(&EVENTS, &scene, 2).unwrap();
     assert_ne!(first.samples, other.samples);
     assert_ne!(first.clicks_s, other.clicks_s);
 }
@@ -159,8 +159,8 @@ fn the_true_times_are_those_of_the_sound() {
             },
             ..bare()
         });
-        for (impact, strike) in recording.impacts.iter().zip(STRIKES) {
-            assert!((impact.time_s - 0.5 - strike.time_s).abs() < 1e-15);
+        for (impact, event) in recording.impacts.iter().zip(EVENTS) {
+            assert!((impact.time_s - 0.5 - event.time_s).abs() < 1e-15);
             let error_s = onset_error(&recording, impact.time_s, mode);
             assert!(error_s.abs() < 1e-9, "{sample_rate_hz} Hz: {error_s} s");
         }
@@ -199,7 +199,7 @@ fn nothing_sounds_before_the_onset_and_the_sound_rises_smoothly() {
         phase_scatter_rad: 0.0,
         ..bare()
     };
-    let recording = render(&STRIKES[..1], &scene, 7).unwrap();
+    let recording = render(&EVENTS[..1], &scene, 7).unwrap();
     let time_s = recording.impacts[0].time_s;
     let (mut before, mut ratios) = (0.0_f32, Vec::new());
     for (n, &x) in recording.samples.iter().enumerate() {
@@ -231,7 +231,7 @@ fn level_follows_speed_to_the_stated_power() {
             ..bare()
         });
         let level = |n: usize| rms(first_5_ms(&recording, recording.impacts[n].time_s));
-        let expected = (STRIKES[3].speed_m_s / STRIKES[0].speed_m_s).powf(level_exponent);
+        let expected = (EVENTS[3].speed_m_s / EVENTS[0].speed_m_s).powf(level_exponent);
         assert!((level(3) / level(0) / expected - 1.0).abs() < 1e-3);
     }
 }
@@ -327,15 +327,13 @@ fn lost_impacts_are_absent_and_the_others_are_there() {
 
 #[test]
 fn impacts_are_lost_as_often_as_stated() {
-    let strikes: Vec<_> = (0..1000)
-        .map(|n| strike(0.01 * f64::from(n), 1.0))
-        .collect();
+    let events: Vec<_> = (0..1000).map(|n| event(0.01 * f64::from(n), 1.0)).collect();
     let share = |chance| {
         let scene = Scene {
             lost: Lost::Chance(chance),
             ..bare()
         };
-        let recording = render(&strikes, &scene, 5).unwrap();
+        let recording = render(&events, &scene, 5).unwrap();
         recording.impacts.iter().filter(|i| i.lost).count() as f64 / 1000.0
     };
     assert_eq!(share(0.0), 0.0);
@@ -394,9 +392,9 @@ fn the_tail_has_the_stated_energy_and_decay() {
         tail_s: 1.5,
         ..bare()
     };
-    let dry = render(&STRIKES[..1], &scene, 7).unwrap();
+    let dry = render(&EVENTS[..1], &scene, 7).unwrap();
     let wet = render(
-        &STRIKES[..1],
+        &EVENTS[..1],
         &Scene {
             reverb: Some(reverb),
             ..scene
@@ -410,7 +408,7 @@ fn the_tail_has_the_stated_energy_and_decay() {
     let ratio_db = 10.0 * (energy(&dry.samples) / energy(&tail)).log10();
     assert!((ratio_db - 6.0).abs() < 2.0, "{ratio_db} dB");
     // Two stretches of 0.2 s, 0.4 s apart: half of 60 dB.
-    let from = |t: f64| (((0.5 + STRIKES[0].time_s + t) * 44_100.0) as usize).min(tail.len());
+    let from = |t: f64| (((0.5 + EVENTS[0].time_s + t) * 44_100.0) as usize).min(tail.len());
     let fall_db =
         10.0 * (energy(&tail[from(0.1)..from(0.3)]) / energy(&tail[from(0.5)..from(0.7)])).log10();
     assert!((fall_db - 30.0).abs() < 2.0, "{fall_db} dB");
@@ -534,7 +532,7 @@ fn every_voice_sounds_at_every_rate_and_nothing_is_nan() {
                 ..Scene::default()
             };
             let recording = rendered(&scene);
-            let expected = (0.5 + STRIKES[3].time_s + 0.5) * f64::from(sample_rate_hz);
+            let expected = (0.5 + EVENTS[3].time_s + 0.5) * f64::from(sample_rate_hz);
             assert_eq!(recording.samples.len(), expected.ceil() as usize);
             assert!(recording.samples.iter().all(|x| x.is_finite()));
             assert!(rms(&recording.samples) > 1e-4);
@@ -557,10 +555,10 @@ fn without_impacts_the_sound_is_the_background() {
 
 #[test]
 fn an_impact_too_faint_to_render_has_no_level_and_is_not_nan() {
-    let strikes = [strike(0.0, 1.0), strike(0.1, 1e-9)];
-    let recording = render(&strikes, &bare(), 1).unwrap();
+    let events = [event(0.0, 1.0), event(0.1, 1e-9)];
+    let recording = render(&events, &bare(), 1).unwrap();
     assert_eq!(recording.impacts[1].snr_db, f64::INFINITY);
     let noise = Some(Noise::white(20.0));
-    let recording = render(&strikes, &Scene { noise, ..bare() }, 1).unwrap();
+    let recording = render(&events, &Scene { noise, ..bare() }, 1).unwrap();
     assert_eq!(recording.impacts[1].snr_db, f64::NEG_INFINITY);
 }

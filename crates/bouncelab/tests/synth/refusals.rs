@@ -5,14 +5,14 @@ use bouncelab::synth::{BitDepth, Clicks, Hum, Lost, Mode, Noise, Reverb, Scene, 
 use bouncelab::{Error, Quantity};
 use proptest::prelude::*;
 
-use crate::{STRIKES, bare, strike};
+use crate::{EVENTS, bare, event};
 
 fn refused(scene: &Scene) -> Quantity {
-    refused_strikes(&STRIKES, scene)
+    refused_events(&EVENTS, scene)
 }
 
-fn refused_strikes(strikes: &[ImpactEvent], scene: &Scene) -> Quantity {
-    match render(strikes, scene, 1) {
+fn refused_events(events: &[ImpactEvent], scene: &Scene) -> Quantity {
+    match render(events, scene, 1) {
         Err(Error::OutOfRange { quantity, .. }) => quantity,
         other => panic!(
             "accepted, or refused otherwise: {:?}",
@@ -129,21 +129,21 @@ fn absurd_disturbances_are_refused_by_name() {
 #[test]
 fn impacts_out_of_range_are_refused_by_name() {
     let scene = Scene::default();
-    let one = |time_s, speed_m_s| refused_strikes(&[strike(time_s, speed_m_s)], &scene);
+    let one = |time_s, speed_m_s| refused_events(&[event(time_s, speed_m_s)], &scene);
     assert_eq!(one(-0.1, 1.0), Quantity::ImpactTime);
     assert_eq!(one(f64::NAN, 1.0), Quantity::ImpactTime);
     assert_eq!(one(0.0, 0.0), Quantity::ImpactSpeed);
     assert_eq!(one(0.0, f64::INFINITY), Quantity::ImpactSpeed);
-    let backwards = [strike(1.0, 1.0), strike(0.5, 1.0)];
-    assert_eq!(refused_strikes(&backwards, &scene), Quantity::ImpactTime);
+    let backwards = [event(1.0, 1.0), event(0.5, 1.0)];
+    assert_eq!(refused_events(&backwards, &scene), Quantity::ImpactTime);
 }
 
 #[test]
 fn recordings_that_would_fill_the_memory_are_refused() {
-    let last = |time_s| refused_strikes(&[strike(time_s, 1.0)], &Scene::default());
+    let last = |time_s| refused_events(&[event(time_s, 1.0)], &Scene::default());
     assert_eq!(last(4000.0), Quantity::Samples);
     assert_eq!(last(f64::MAX), Quantity::Samples);
-    let error = render(&[strike(4000.0, 1.0)], &Scene::default(), 1).unwrap_err();
+    let error = render(&[event(4000.0, 1.0)], &Scene::default(), 1).unwrap_err();
     assert!(error.to_string().contains("at most 172800000"), "{error}");
 }
 
@@ -175,8 +175,8 @@ proptest! {
         bit_depth in prop::sample::select(vec![BitDepth::Eight, BitDepth::Float]),
         seed: u64,
     ) {
-        let strikes: Vec<_> = (0..).map(|n| 0.05 * f64::from(n)).zip(speeds)
-            .map(|(time_s, speed_m_s)| strike(time_s, speed_m_s))
+        let events: Vec<_> = (0..).map(|n| 0.05 * f64::from(n)).zip(speeds)
+            .map(|(time_s, speed_m_s)| event(time_s, speed_m_s))
             .collect();
         let mut voice = Voice::named(name).expect("the name is in the list");
         voice.modes[0].decay_s = decay_s;
@@ -193,10 +193,10 @@ proptest! {
             bit_depth,
             ..Scene::default()
         };
-        if let Ok(recording) = render(&strikes, &scene, seed) {
+        if let Ok(recording) = render(&events, &scene, seed) {
             prop_assert!(recording.samples.iter().all(|x| x.is_finite()));
             prop_assert!(recording.impacts.iter().all(|impact| !impact.snr_db.is_nan()));
-            prop_assert_eq!(recording.impacts.len(), strikes.len());
+            prop_assert_eq!(recording.impacts.len(), events.len());
             prop_assert!(recording.clicks_s.is_sorted());
         }
     }

@@ -1,10 +1,11 @@
-//! Drops simulated by code of their own: nothing here is shared with the library that is to be judged.
+//! Drops simulated by code of their own: no formula is shared with the library that is to be judged.
 //!
 //! Flights are integrated step by step, the drag of a sphere is that of another author than the library's default, and
 //! balls, laws of restitution and sounds are written down here.
 
 use std::f64::consts::{PI, TAU};
 
+use bouncelab::impact::ImpactEvent;
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
@@ -250,7 +251,7 @@ impl Law {
 
 /// A ball and a surface.
 #[derive(Clone, Debug)]
-pub(crate) struct World {
+pub(crate) struct BallOnSurface {
     pub(crate) kind: &'static Kind,
     pub(crate) sphere: Sphere,
     pub(crate) law: Law,
@@ -258,14 +259,7 @@ pub(crate) struct World {
     scatter: f64,
 }
 
-/// An impact as it is.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Strike {
-    pub(crate) time_s: f64,
-    pub(crate) speed_m_s: f64,
-}
-
-impl World {
+impl BallOnSurface {
     /// A ball of this kind with one of the ordinary laws.
     pub(crate) fn of(kind: &'static Kind, rng: &mut ChaCha8Rng) -> Self {
         let diameter_m = between(kind.diameter_m, rng);
@@ -296,17 +290,17 @@ impl World {
     }
 
     /// The impacts of a drop from a height, the first at time 0, up to a number and a shortest flight in seconds.
-    pub(crate) fn strikes(
+    pub(crate) fn impact_events(
         &self,
         height_m: f64,
         (most, shortest_s): (usize, f64),
         rng: &mut ChaCha8Rng,
-    ) -> Vec<Strike> {
+    ) -> Vec<ImpactEvent> {
         let (_, mut speed_m_s) = self.sphere.fall(height_m);
         let mut time_s = 0.0;
-        let mut strikes = Vec::new();
+        let mut events = Vec::new();
         for _ in 0..most {
-            strikes.push(Strike { time_s, speed_m_s });
+            events.push(ImpactEvent { time_s, speed_m_s });
             let kept = self.law.at(speed_m_s) * (self.scatter * normal(rng)).exp();
             let flight = self.sphere.flight(speed_m_s * kept.min(1.0));
             if flight.0 < shortest_s {
@@ -315,7 +309,7 @@ impl World {
             time_s += flight.0 + self.contact_s(speed_m_s);
             speed_m_s = flight.1;
         }
-        strikes
+        events
     }
 }
 
