@@ -47,57 +47,17 @@ fn rank(count: usize, share: f64) -> (usize, f64) {
 }
 
 /// The quantiles of values in any order; changes their order. `None` without values. For a few quantiles this is faster
-/// than sorting all values, but the code is larger, so the page sorts.
+/// than sorting all values.
 pub(crate) fn quantiles<const N: usize>(values: &mut [f64], shares: [f64; N]) -> Option<[f64; N]> {
-    if values.is_empty() {
-        return None;
-    }
-    if cfg!(target_family = "wasm") {
-        values.sort_unstable_by(f64::total_cmp);
-        return Some(shares.map(|share| quantile(values, share).unwrap_or(f64::NAN)));
-    }
-    let ends = sort_into_buckets(values);
-    let bucket_of = |index: usize| ends.partition_point(|&end| end <= index);
-    Some(shares.map(|share| {
-        let (low, fraction) = rank(values.len(), share);
-        let high = (low + 1).min(values.len() - 1);
-        // Only the buckets of these two values are sorted.
-        let from = bucket_of(low).checked_sub(1).map_or(0, |below| ends[below]);
-        values[from..ends[bucket_of(high)]].sort_unstable_by(f64::total_cmp);
-        values[low] + fraction * (values[high] - values[low])
-    }))
-}
-
-/// Number of buckets: about four values per bucket for 1,000.
-const BUCKETS: usize = 256;
-
-/// Sorts values into buckets of equal width (a counting sort); returns the end of each bucket.
-fn sort_into_buckets(values: &mut [f64]) -> [usize; BUCKETS] {
-    let (mut min, mut max) = (f64::INFINITY, f64::NEG_INFINITY);
-    for &value in &*values {
-        min = if value < min { value } else { min };
-        max = if value > max { value } else { max };
-    }
-    let per_unit = (BUCKETS - 1) as f64 / (max - min);
-    // If all values are equal the product is not a number, which becomes bucket zero.
-    let bucket = |&value: &f64| (value, ((value - min) * per_unit) as u8);
-    let unsorted: Vec<(f64, u8)> = values.iter().map(bucket).collect();
-    let mut ends = [0; BUCKETS];
-    for (_, bucket) in &unsorted {
-        ends[usize::from(*bucket)] += 1;
-    }
-    let mut end = 0;
-    for count in &mut ends {
-        end += *count;
-        *count = end;
-    }
-    let mut free = ends;
-    for (value, bucket) in unsorted {
-        let index = &mut free[usize::from(bucket)];
-        *index -= 1;
-        values[*index] = value;
-    }
-    ends
+    let has_values = !values.is_empty();
+    has_values.then(|| {
+        shares.map(|share| {
+            let (low, fraction) = rank(values.len(), share);
+            let (_, &mut low, above) = values.select_nth_unstable_by(low, f64::total_cmp);
+            let high = above.iter().copied().min_by(f64::total_cmp);
+            low + fraction * (high.unwrap_or(low) - low)
+        })
+    })
 }
 
 /// The middle value, or the mean of the two in the middle. `None` without values.
