@@ -129,8 +129,8 @@ pub(crate) struct InferenceArguments {
     restitution_prior: Option<String>,
     /// Relative standard uncertainty of an input, as in mass=0.1% or drag=0: mass, diameter,
     /// air-density, gravity, added-mass, drag (around its law), contact-time, timing (of the stated
-    /// errors); scatter=2% is the typical scatter of restitution on this surface; slow-losses=0 lets
-    /// restitution follow its law until rest
+    /// errors); scatter=2% is the typical scatter of restitution on this surface, and scatter-spread=0.5
+    /// halves the usual width of its prior (0: exact); slow-losses=0 lets restitution follow its law until rest
     #[arg(long, value_name = "WHAT=SHARE", value_delimiter = ',', value_parser = known)]
     known: Vec<(Input, f64)>,
     /// Infer this quantity from the data, with an uninformative prior; gravity implies --first-detected

@@ -295,10 +295,15 @@ impl Translator {
                 "slow" | "fast" => Value::fixed(value, 3),
                 "factor" => Value::fixed(100.0 * (value - 1.0), 0),
                 "pressure_pa" => plain(value / 100.0),
-                "relative_humidity" | "relative_sd" | "assumed_relative_sd" => {
+                "relative_humidity"
+                | "relative_sd"
+                | "assumed_relative_sd"
+                | "low_relative_sd"
+                | "high_relative_sd" => plain((value * 1e4).round() / 100.0),
+                "reynolds" | "max_reynolds" => quantity(value, 3, Unit::Number),
+                _ if name.ends_with("relative_sd") || name == "relative_humidity" => {
                     plain((value * 1e4).round() / 100.0)
                 }
-                "reynolds" | "max_reynolds" => quantity(value, 3, Unit::Number),
                 _ if name.ends_with("_m_s2") => quantity(value, 3, Unit::Acceleration),
                 _ if name.ends_with("_s") => Value::fixed(value, 2),
                 _ if name.ends_with("_m") => quantity(value, 3, Unit::Length),

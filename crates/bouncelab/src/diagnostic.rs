@@ -368,7 +368,7 @@ codes! {
     /// Restitution: as a [`RestitutionPrior`](crate::restitution::RestitutionPrior) states it.
     PriorRestitutionStated = "prior-restitution-stated", Info, ["prior"];
     /// Scatter of restitution: about this, likely half as much to 2.5 times as much.
-    PriorScatter = "prior-scatter", Info, ["relative_sd"];
+    PriorScatter = "prior-scatter", Info, ["relative_sd", "low_relative_sd", "high_relative_sd"];
     /// Impacts slower than those detected may lose more speed than the law says.
     PriorSlowLosses = "prior-slow-losses", Info, ["exponent"];
     /// An input is exact.

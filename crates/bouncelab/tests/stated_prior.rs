@@ -80,15 +80,29 @@ fn inferred(impacts: &[Impact], priors: &Priors, draws: usize) -> Posterior {
     .unwrap()
 }
 
+const DROPS: usize = 200;
+const BINS: usize = 10;
+
+/// The bin of the rank of a truth among draws.
+fn bin(draws: &[f64], truth: f64) -> usize {
+    let below = draws.iter().filter(|&&draw| draw < truth).count();
+    (below * BINS / draws.len()).min(BINS - 1)
+}
+
+fn assert_uniform(bins: &[usize; BINS]) {
+    // Exceeded once in a thousand times by chance, of 9 degrees of freedom.
+    const CHI_SQUARE_LIMIT: f64 = 27.88;
+    let expected = (DROPS / BINS) as f64;
+    let squares = bins.iter().map(|&bin| (bin as f64 - expected).powi(2));
+    let chi_square = squares.sum::<f64>() / expected;
+    assert!(chi_square < CHI_SQUARE_LIMIT, "{chi_square}: {bins:?}");
+}
+
 /// Laws are drawn as functions of the speed, not by the knots of the inference: their ranks among the draws at the slowest, a
 /// middle and the fastest speed are uniform (Talts et al., arXiv 1804.06788), and the central 68 % of the draws contain that
 /// many. Four impacts leave much to the prior.
 #[test]
 fn draws_from_the_prior_are_found_as_often_as_stated() {
-    const DROPS: usize = 200;
-    const BINS: usize = 10;
-    // Exceeded once in a thousand times by chance, of 9 degrees of freedom.
-    const CHI_SQUARE_LIMIT: f64 = 27.88;
     let prior = priors(Some("functions:0.5=0.86:0.03:0.03,4=0.78:0.03:-0.04"));
     let mut ranks = [[0_usize; BINS]; 3];
     let mut inside = [0_usize; 3];
@@ -115,21 +129,46 @@ fn draws_from_the_prior_are_found_as_often_as_stated() {
             let draws: Vec<f64> = curve.chunks_exact(5).map(|draw| draw[knot]).collect();
             let below = draws.iter().filter(|&&draw| draw < truth).count();
             let share = below as f64 / draws.len() as f64;
-            ranks[place][((share * BINS as f64) as usize).min(BINS - 1)] += 1;
+            ranks[place][bin(&draws, truth)] += 1;
             inside[place] += usize::from((0.158_655..0.841_345).contains(&share));
         }
     }
-    let expected = (DROPS / BINS) as f64;
     for (bins, inside) in ranks.iter().zip(inside) {
-        let chi_square: f64 = bins
-            .iter()
-            .map(|&bin| (bin as f64 - expected).powi(2) / expected)
-            .sum();
-        assert!(chi_square < CHI_SQUARE_LIMIT, "{chi_square}: {ranks:?}");
+        assert_uniform(bins);
         // Three standard errors of 200 drops.
         let covered = inside as f64 / DROPS as f64;
         assert!((covered - 0.683).abs() < 0.1, "{covered}");
     }
+}
+
+/// Scatters are drawn from a prior narrower than the usual one around another typical scatter: their ranks among the draws
+/// are uniform.
+#[test]
+fn a_stated_spread_of_the_scatter_is_the_width_of_its_prior() {
+    let prior = Priors {
+        restitution_scatter: 0.01,
+        scatter_spread: 0.4,
+        ..priors(Some("normal:1=0.85:0.01"))
+    };
+    let mut ranks = [0; BINS];
+    for seed in 0..DROPS as u64 {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let scatter = prior.scatter_at(rng.sample(StandardNormal));
+        let level = 0.85 * (0.01 / 0.85 * rng.sample::<f64, _>(StandardNormal)).exp();
+        let impacts = impacts(|_| level, 0.5, scatter, 12, &mut rng);
+        let found = inferred(&impacts, &prior, 400).drawn_unknowns(1).unwrap();
+        let drawn = found.posterior.iter();
+        let mut drawn = drawn.filter(|it| it.name == "restitution_scatter");
+        ranks[bin(&drawn.next().unwrap().values, scatter)] += 1;
+    }
+    assert_uniform(&ranks);
+    let exact = Priors {
+        scatter_spread: 0.0,
+        ..prior
+    };
+    let impacts = impacts(|_| 0.85, 0.5, 0.03, 12, &mut ChaCha8Rng::seed_from_u64(1));
+    let scatter = inferred(&impacts, &exact, 400).restitution_scatter;
+    assert!((scatter.value - 0.01).abs() < 1e-5 && scatter.sd < 1e-12);
 }
 
 /// The time of one flight says nothing of the restitution: what remains is the prior.

@@ -163,8 +163,8 @@ def analyze(
             What to leave to the data: gravity, drag, contact-time.
         known : mapping of str to float
             Relative standard uncertainties of inputs: mass, diameter, air-density, gravity, added-mass, drag,
-            contact-time, timing; scatter is the typical scatter of restitution, and slow-losses=0 lets
-            restitution follow its law until rest.
+            contact-time, timing. Also scatter, the typical scatter of restitution; scatter-spread, the width of its prior
+            over the usual width (0: exact); slow-losses, where 0 lets restitution follow its law until rest.
         flights : tuple of int
             First and last flight of the log-linear fit.
         compare_balls : bool

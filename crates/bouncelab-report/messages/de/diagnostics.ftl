@@ -181,7 +181,7 @@ diagnostic-assumed-gravity = Fallbeschleunigung { $gravity_m_s2 }.
 
 diagnostic-prior-restitution = Stoßzahl: alles von 0 bis 1.
 diagnostic-prior-restitution-stated = Stoßzahl über der Aufprallgeschwindigkeit, wie angegeben: { $prior }.
-diagnostic-prior-scatter = Streuung der Stoßzahl: etwa { $relative_sd } %, wahrscheinlich die Hälfte bis zum 2,5-Fachen davon.
+diagnostic-prior-scatter = Streuung der Stoßzahl: etwa { $relative_sd } %, wahrscheinlich { $low_relative_sd } bis { $high_relative_sd } %.
 diagnostic-prior-slow-losses = Aufpralle unter dem langsamsten erkannten: wie das Gesetz sagt, oder mit Verlusten, die bei kleinerem Tempo zusätzlich wachsen (mit einer Potenz von etwa { $exponent }).
 diagnostic-prior-exact = { $input }: genau bekannt.
 diagnostic-prior-unknown = { $input }: unbekannt (ein Faktor e nach oben oder unten).

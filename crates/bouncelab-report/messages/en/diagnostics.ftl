@@ -184,7 +184,7 @@ diagnostic-assumed-gravity = Gravity { $gravity_m_s2 }.
 
 diagnostic-prior-restitution = Restitution: uniform from 0 to 1.
 diagnostic-prior-restitution-stated = Restitution over the impact speed, as stated: { $prior }.
-diagnostic-prior-scatter = Scatter of restitution: about { $relative_sd } %, likely half as much to 2.5 times as much.
+diagnostic-prior-scatter = Scatter of restitution: about { $relative_sd } %, likely { $low_relative_sd } to { $high_relative_sd } %.
 diagnostic-prior-slow-losses = Impacts slower than those detected: as the law says, or with losses that grow besides as the speed falls (by a power of about { $exponent }).
 diagnostic-prior-exact = { $input }: exact.
 diagnostic-prior-unknown = { $input }: unknown (a factor e either way).

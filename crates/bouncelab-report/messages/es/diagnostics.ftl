@@ -170,7 +170,7 @@ diagnostic-assumed-gravity = Gravedad { $gravity_m_s2 }.
 
 diagnostic-prior-restitution = Restitución: uniforme de 0 a 1.
 diagnostic-prior-restitution-stated = Restitución según la velocidad de impacto, como se indicó: { $prior }.
-diagnostic-prior-scatter = Dispersión de la restitución: alrededor del { $relative_sd } %, probablemente entre la mitad y 2,5 veces eso.
+diagnostic-prior-scatter = Dispersión de la restitución: alrededor del { $relative_sd } %, probablemente entre el { $low_relative_sd } y el { $high_relative_sd } %.
 diagnostic-prior-slow-losses = Impactos más lentos que los detectados: como dice la ley, o con pérdidas que además crecen al bajar la velocidad (según una potencia de alrededor de { $exponent }).
 diagnostic-prior-exact = { $input }: valor exacto.
 diagnostic-prior-unknown = { $input }: valor desconocido (un factor e en ambos sentidos).

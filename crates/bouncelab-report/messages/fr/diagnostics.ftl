@@ -170,7 +170,7 @@ diagnostic-assumed-gravity = Pesanteur { $gravity_m_s2 }.
 
 diagnostic-prior-restitution = Restitution : uniforme de 0 à 1.
 diagnostic-prior-restitution-stated = Restitution selon la vitesse d’impact, comme indiqué : { $prior }.
-diagnostic-prior-scatter = Dispersion de la restitution : environ { $relative_sd } %, probablement entre la moitié et 2,5 fois autant.
+diagnostic-prior-scatter = Dispersion de la restitution : environ { $relative_sd } %, probablement de { $low_relative_sd } à { $high_relative_sd } %.
 diagnostic-prior-slow-losses = Impacts plus lents que ceux détectés : comme le dit la loi, ou avec des pertes qui croissent en plus quand la vitesse diminue (selon une puissance d’environ { $exponent }).
 diagnostic-prior-exact = { $input } : exact.
 diagnostic-prior-unknown = { $input } : inconnu (un facteur e dans les deux sens).

@@ -2,7 +2,7 @@
 
 use super::parameters::UNKNOWN;
 use super::possible_balls::PossibleBall;
-use super::scatter_prior;
+use super::scatter_prior::ScatterPrior;
 use crate::ball::{Ball, KnownBall};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::error::{Quantity, Result, positive, within};
@@ -65,6 +65,9 @@ pub struct Priors {
     /// one or more: 0.6 % lies between. That of a drop is half as much to 2.5 times as much with a probability of 68 %,
     /// and a fifth to seven times with 95 %; see [`Self::scatter_at`].
     pub restitution_scatter: f64,
+    /// Factor on the width of the prior of the scatter, in its logarithm: 1 is the usual width, and with 0 the scatter is the
+    /// typical one.
+    pub scatter_spread: f64,
     /// Losses of speed below the slowest impact detected, on which only time and path until rest depend. Laws of contact
     /// let them shrink with the speed; what the laws leave out (adhesion, roughness, the weight during contact) takes the
     /// more, the slower the ball is. With a probability of one half the law goes on, else the ratio of speed lost to speed
@@ -93,6 +96,7 @@ impl Default for Priors {
             contact_time_rel_sd: 0.5,
             timing_rel_sd: 0.3,
             restitution_scatter: 0.006,
+            scatter_spread: 1.0,
             slow_loss_exponent: 0.5,
         }
     }
@@ -144,7 +148,14 @@ impl Priors {
     /// assert!(low > 0.001 && high < 0.07);
     /// ```
     pub fn scatter_at(&self, normal: f64) -> f64 {
-        scatter_prior::scatters(self.restitution_scatter, Lanes([normal])).0[0]
+        self.scatter().scatters(Lanes([normal])).0[0]
+    }
+
+    pub(super) const fn scatter(&self) -> ScatterPrior {
+        ScatterPrior {
+            typical: self.restitution_scatter,
+            spread: self.scatter_spread,
+        }
     }
 
     /// What is assumed before the data, one diagnostic for each.
@@ -156,7 +167,10 @@ impl Priors {
                 .with("input", name)
                 .with("relative_sd", sd),
         };
-        let scatter = Diagnostic::new(Code::PriorScatter);
+        let scatter = Diagnostic::new(Code::PriorScatter)
+            .with("relative_sd", self.restitution_scatter)
+            .with("low_relative_sd", self.scatter_at(-1.0))
+            .with("high_relative_sd", self.scatter_at(1.0));
         let mut diagnostics = vec![
             match &self.restitution {
                 None => Diagnostic::new(Code::PriorRestitution),
@@ -164,7 +178,7 @@ impl Priors {
                     Diagnostic::new(Code::PriorRestitutionStated).with("prior", prior.to_string())
                 }
             },
-            scatter.with("relative_sd", self.restitution_scatter),
+            scatter,
             Diagnostic::new(Code::PriorSlowLosses).with("exponent", self.slow_loss_exponent),
             input("drag", self.drag_rel_sd),
             input("gravity", self.gravity_rel_sd),
@@ -230,6 +244,7 @@ impl Priors {
             self.added_mass_rel_sd,
             self.contact_time_rel_sd,
             self.timing_rel_sd,
+            self.scatter_spread,
         ] {
             within(Quantity::RelativeSd, share, 0.0..)?;
         }

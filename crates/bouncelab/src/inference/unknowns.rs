@@ -11,7 +11,7 @@ use super::parameters::{
 };
 use super::priors::{Measured, Priors};
 use super::reference_speed::ReferenceSpeed;
-use super::scatter_prior;
+use super::scatter_prior::ScatterPrior;
 use super::timed_flights::TimedFlights;
 use crate::flight::table::MAX_STEPS;
 use crate::restitution::{LawKind, MAX_SHAPES, PriorOver, Restitution};
@@ -30,7 +30,7 @@ pub(super) struct Model<'a> {
     pub(super) height_m: Option<Measured>,
     pub(super) release_s: Option<Measured>,
     pub(super) timing_sd: f64,
-    typical_scatter: f64,
+    pub(super) scatter: ScatterPrior,
     /// The stated prior of the restitution; if `None`, the usual one of the law.
     stated: Option<PriorOver>,
     slots: Vec<Slot>,
@@ -68,7 +68,7 @@ pub(super) enum Slot {
     Shape(usize),
     /// The drop height, with the coordinate that [`Height`] states.
     Height,
-    /// ln of the scatter, as a function of a standard normal ([`scatter_prior`]).
+    /// ln of the scatter, as a function of a standard normal ([`ScatterPrior`]).
     Scatter,
     /// ln of the factor on the errors of the times, a standard normal before the data.
     Timing,
@@ -180,7 +180,7 @@ impl<'a> Model<'a> {
             height_m: priors.drop_height_m,
             release_s: priors.release_s,
             timing_sd,
-            typical_scatter: priors.restitution_scatter,
+            scatter: priors.scatter(),
             stated,
             slots,
             expected_restitution: None,
@@ -265,7 +265,7 @@ impl<'a> Model<'a> {
             at(Slot::Gravity) * inputs.drag_on_gravity + at(Slot::Inputs) * inputs.drag_sd;
         let drag_strength = drag_scale * log_inputs.exp();
         let gravity_m_s2 = (at(Slot::Gravity) * inputs.gravity_sd).exp() * medium.gravity_m_s2;
-        let scatter = scatter_prior::scatters(self.typical_scatter, at(Slot::Scatter));
+        let scatter = self.scatter.scatters(at(Slot::Scatter));
         let timing = (at(Slot::Timing) * self.timing_sd).exp();
         let unit = self.restitution_unit(scatter, timing);
         let expected = self.expected_restitution.map_or(Lanes::all(0.0), |it| {
@@ -357,9 +357,8 @@ impl<'a> Model<'a> {
     /// Start of a search: the differences between impacts are all scatter, or all errors of the times, whichever is more
     /// probable.
     pub(super) fn start(&self) -> Vec<f64> {
-        let scatter = self.reference.scatter.map_or(0.0, |scatter| {
-            scatter_prior::normal(scatter / self.typical_scatter)
-        });
+        let scatter = self.reference.scatter;
+        let scatter = scatter.map_or(0.0, |scatter| self.scatter.normal(scatter));
         let timing = self
             .reference
             .timing

@@ -120,6 +120,8 @@ inputs! {
         Timing = "timing";
         /// Typical scatter of restitution from impact to impact on this surface.
         Scatter = "scatter";
+        /// Width of the prior of the scatter over the usual width; 0 takes the typical scatter as exact.
+        ScatterSpread = "scatter-spread";
         /// Losses of slow impacts beyond the law; 0 lets restitution follow its law until rest.
         SlowLosses = "slow-losses";
     }
@@ -147,6 +149,7 @@ impl Input {
             Self::ContactTime => &mut priors.contact_time_rel_sd,
             Self::Timing => &mut priors.timing_rel_sd,
             Self::Scatter => &mut priors.restitution_scatter,
+            Self::ScatterSpread => &mut priors.scatter_spread,
             Self::SlowLosses => &mut priors.slow_loss_exponent,
         }
     }

@@ -23,7 +23,6 @@ use nalgebra::{DMatrix, DVector};
 use super::banded::{FactorRow, next_factor};
 use super::parameters::{DIFFERENCE_STEP, FACTORS_PER_LOGARITHM, OUTLIER_SDS, SCATTER_FREEDOM};
 use super::residual::{End, InitialFall, Noise, Residual};
-use super::scatter_prior;
 use super::tail::Tail;
 use super::trials::Trials;
 use super::unknowns::{Model, Point, Slot};
@@ -284,7 +283,7 @@ impl<'a> Model<'a> {
         // variance a + b, with a by scatter and b by timing, has the shares of both as derivatives of ln sigma.
         let per_residual = 2.0 * SCATTER_FREEDOM / (SCATTER_FREEDOM + 3.0);
         let scatter = self.index(Slot::Scatter).map(|index| vector[index]);
-        let scatter_slope = scatter.map_or(0.0, scatter_prior::log_slope);
+        let scatter_slope = scatter.map_or(0.0, |normal| self.scatter.log_slope(normal));
         let shares = |slot: Slot, factor: &Factor| match slot {
             Slot::Scatter => scatter_slope * factor.scatter_share,
             Slot::Timing => self.timing_sd * (1.0 - factor.scatter_share),
