@@ -8,7 +8,19 @@ export default defineConfig({
   // Static files that work in any folder of any web server.
   base: './',
   plugins: [contentSecurityPolicy(), precache({ source: 'src/sw.ts' }), compressed()],
-  build: OUTPUT,
+  build: {
+    ...OUTPUT,
+    rolldownOptions: {
+      output: {
+        codeSplitting: {
+          // One script for all that the first view needs: on a slow network each request costs more than its bytes.
+          groups: [
+            { name: 'first', tags: ['$initial'], test: (id: string) => !id.endsWith('/sw.ts') },
+          ],
+        },
+      },
+    },
+  },
   worker: WORKER,
   test: {
     include: ['src/**/*.test.ts', 'src/**/*.test.tsx'],

@@ -18,30 +18,35 @@ import { workspace } from './state/workspace.ts';
 import { followTheme } from './style/colours.ts';
 import { mendLanguage, preferred, speak } from './text/language.ts';
 
-followTheme();
-readSettings(false);
-readSimulation();
-readLesson();
-addEventListener('hashchange', () => {
-  readSettings(workspace.peek() !== null);
+/** Not awaited by the module: scripts that are loaded later import this one, and would wait for themselves. */
+async function begin(): Promise<void> {
+  followTheme();
+  readSettings(false);
   readSimulation();
   readLesson();
+  addEventListener('hashchange', () => {
+    readSettings(workspace.peek() !== null);
+    readSimulation();
+    readLesson();
+    void followLink();
+  });
+  await speak(preferred());
+  mendLanguage();
+  const place = document.getElementById('page');
+  if (place) render(<App />, place);
+  keepAnalysed();
+  keepDrawn();
+  keepSimulated();
+  void start();
   void followLink();
-});
-await speak(preferred());
-mendLanguage();
-const place = document.getElementById('page');
-if (place) render(<App />, place);
-keepAnalysed();
-keepDrawn();
-keepSimulated();
-void start();
-void followLink();
-void loadKept();
-// Drops that another tab has kept meanwhile are shown here too.
-addEventListener('visibilitychange', () => {
-  if (!document.hidden) void loadKept();
-});
-// Without the browser's database there are no unkept recordings to offer.
-void findOrphans().catch(() => undefined);
-void workOffline();
+  void loadKept();
+  // Drops that another tab has kept meanwhile are shown here too.
+  addEventListener('visibilitychange', () => {
+    if (!document.hidden) void loadKept();
+  });
+  // Without the browser's database there are no unkept recordings to offer.
+  void findOrphans().catch(() => undefined);
+  void workOffline();
+}
+
+void begin();
