@@ -14,6 +14,7 @@ import { followLink } from './state/linking.ts';
 import { findOrphans } from './state/orphans.ts';
 import { readSettings } from './state/settings.ts';
 import { keepSimulated, readSimulation } from './state/simulating.ts';
+import { keepRead } from './state/sound.ts';
 import { workspace } from './state/workspace.ts';
 import { followTheme } from './style/colours.ts';
 import { mendLanguage, preferred, speak } from './text/language.ts';
@@ -36,6 +37,7 @@ async function begin(): Promise<void> {
   if (place) render(<App />, place);
   keepAnalysed();
   keepDrawn();
+  keepRead();
   keepSimulated();
   void start();
   void followLink();

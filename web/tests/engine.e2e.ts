@@ -87,7 +87,7 @@ test('what is detected live is what is detected in the recording', async () => {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const lab = new engine.Lab();
     const recording = await lab.open(new File([bytes], 'twelve.wav'));
-    const samples = recording.dropChannel;
+    const samples = await recording.samples(0, recording.durationS);
     const rate = recording.sound?.sampleRateHz ?? 1;
     const listening = await lab.listen(rate);
     const counts: number[] = [];
@@ -106,7 +106,7 @@ test('what is detected live is what is detected in the recording', async () => {
       live: live.result.drops,
       whole: recording.result.drops,
       again: again.result.drops,
-      same: again.dropChannel.every((sample, index) => sample === samples[index]),
+      same: (await again.samples(0, again.durationS)).every((sample, i) => sample === samples[i]),
     };
   }, content(recording.path));
   expect(found.live).toEqual(found.whole);
@@ -174,6 +174,42 @@ test('every figure, the report, the table and the paper can be drawn', async () 
   expect(found.rows).toBeGreaterThan(40);
   expect(found.report).toContain('<!DOCTYPE html>');
   expect(found.report).toContain('twelve.wav');
+});
+
+test('samples of a long file are read from any place, forwards and back', async () => {
+  const found = await page.evaluate(async () => {
+    const [rate, seconds] = [48_000, 240];
+    const file = new Uint8Array(44 + 2 * rate * seconds);
+    const view = new DataView(file.buffer);
+    const write = (at: number, letters: string) => file.set(new TextEncoder().encode(letters), at);
+    write(0, 'RIFF');
+    view.setUint32(4, file.length - 8, true);
+    write(8, 'WAVEfmt ');
+    view.setUint32(16, 16, true);
+    view.setUint16(20, 1, true);
+    view.setUint16(22, 1, true);
+    view.setUint32(24, rate, true);
+    view.setUint32(28, 2 * rate, true);
+    view.setUint16(32, 2, true);
+    view.setUint16(34, 16, true);
+    write(36, 'data');
+    view.setUint32(40, file.length - 44, true);
+    const wave = (n: number): number => (Math.imul(n, 2_654_435_761) >> 24) * 8;
+    for (let n = 0; n < rate * seconds; n += 1) view.setInt16(44 + 2 * n, wave(n), true);
+    const lab = new engine.Lab();
+    const recording = await lab.open(new File([file], 'long.wav'));
+    const differences = [];
+    for (const fromS of [200, 1, 239.5, 0]) {
+      const samples = await recording.samples(fromS, fromS + 1);
+      const from = fromS * rate;
+      const isWrong = (sample: number, n: number) => sample !== wave(from + n) / 32_768;
+      differences.push({ length: samples.length, wrong: samples.filter(isWrong).length });
+    }
+    lab.close();
+    return differences;
+  });
+  const second = { length: 48_000, wrong: 0 };
+  expect(found).toEqual([second, second, { length: 24_000, wrong: 0 }, second]);
 });
 
 test('a marker snaps to the onset next to it; sound can be seen and simulated', async () => {

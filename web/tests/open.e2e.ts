@@ -133,11 +133,38 @@ test('what is wrong with a file is said in the language of the page', async () =
   await notice.getByText('Zeile 3: „zwei“ ist keine Zeit in Sekunden wie 0.125.').waitFor();
 });
 
+/** The beginning of five hours of sound, which its header states. */
+function day(): Buffer {
+  const [rate, bytes] = [48_000, 5 * 3600 * 48_000];
+  const file = Buffer.alloc(6e6);
+  file.write('RIFF', 0);
+  file.writeUInt32LE(36 + bytes, 4);
+  file.write('WAVEfmt ', 8);
+  for (const [at, value] of [
+    [16, 16],
+    [24, rate],
+    [28, rate],
+    [40, bytes],
+  ] as const) {
+    file.writeUInt32LE(value, at);
+  }
+  for (const [at, value] of [
+    [20, 1],
+    [22, 1],
+    [32, 1],
+    [34, 8],
+  ] as const) {
+    file.writeUInt16LE(value, at);
+  }
+  file.write('data', 36);
+  return file;
+}
+
 test('a huge file is refused, and what lay in the workspace stays', async () => {
   const on = await page();
   await tryDemo(on);
   const before = await answers(on);
-  await dropFile(on, 'day.wav', Buffer.from('RIFF'), 2e9);
+  await dropFile(on, 'day.wav', day());
   await on.getByText('The file is too large for a browser.').waitFor();
   expect(await answers(on)).toEqual(before);
 });

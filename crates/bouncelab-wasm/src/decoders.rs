@@ -14,6 +14,7 @@ use bouncelab_report::paper::{self, lesson};
 use bouncelab_report::sheets::Sheet;
 use wasm_bindgen::prelude::*;
 
+use crate::file::FileOfWorker;
 use crate::groups;
 use crate::language::translator;
 use crate::link;
@@ -27,10 +28,10 @@ pub struct Opened(Input);
 
 #[wasm_bindgen]
 impl Opened {
-    /// Opens the content of a file.
+    /// Opens the file of the worker, which has this length in bytes.
     #[wasm_bindgen(constructor)]
-    pub fn new(bytes: Vec<u8>, name: &str) -> Result<Self> {
-        Ok(Self(Input::from_bytes(bytes, name)?))
+    pub fn new(len: f64, name: &str) -> Result<Self> {
+        Ok(Self(Input::from_reader(FileOfWorker::new(len), name)?))
     }
 
     /// The list of times, if it is one.
@@ -45,11 +46,11 @@ impl Opened {
         Ok(Some(serde_json::to_string(&list)?))
     }
 
-    /// The sound, if it is no list.
-    pub fn decoder(self) -> Result<Decoder> {
+    /// The sound, if it is no list. The rate in Hz is that of samples whose file does not state it.
+    pub fn decoder(self, rate_hz: Option<u32>) -> Result<Decoder> {
         let source = match self.0 {
             Input::Sound(source) => *source,
-            Input::Samples(samples) => samples.at(None)?,
+            Input::Samples(samples) => samples.at(rate_hz)?,
             Input::Times(_) => return Err(Refusal::fault("a list of times has no sound")),
         };
         Ok(Decoder {

@@ -297,11 +297,18 @@ pub struct JsSpectrogram(spectrogram::Spectrogram);
 
 #[wasm_bindgen(js_class = Spectrogram)]
 impl JsSpectrogram {
-    /// Of these samples.
+    /// Of these samples, the first and the last `margin` of which are not shown.
     #[wasm_bindgen(constructor)]
-    pub fn new(samples: &[f32], sample_rate_hz: f64, columns: usize, rows: usize) -> Self {
+    pub fn new(
+        samples: &[f32],
+        margin: usize,
+        sample_rate_hz: f64,
+        columns: usize,
+        rows: usize,
+    ) -> Self {
         Self(spectrogram::spectrogram(
             samples,
+            margin,
             sample_rate_hz,
             columns,
             rows,

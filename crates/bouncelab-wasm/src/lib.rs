@@ -35,6 +35,8 @@ pub mod decoders;
 pub mod detector;
 #[cfg(all(target_family = "wasm", feature = "engine"))]
 pub mod engine;
+#[cfg(all(target_family = "wasm", feature = "decoders"))]
+mod file;
 pub mod groups;
 pub mod language;
 pub mod link;

@@ -90,6 +90,8 @@ pub enum Reason {
         /// How many hours are read at most.
         max_h: f64,
     },
+    /// The browser cannot read it any more.
+    Unreadable,
     /// It is no list of times.
     Times {
         /// The line, counted from 1.
@@ -132,6 +134,7 @@ impl Reason {
             Error::UnsupportedLayout { problem, .. } => {
                 Self::UnsupportedLayout { problem: *problem }
             }
+            Error::Io { .. } => Self::Unreadable,
             Error::TooLong { max_h, .. } => Self::LastsTooLong { max_h: *max_h },
             Error::Times { line, problem, .. } => Self::Times {
                 line: *line,

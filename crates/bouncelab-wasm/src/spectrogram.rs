@@ -27,10 +27,12 @@ pub struct Spectrogram {
     pub cells: Vec<u8>,
 }
 
-/// The spectrogram of these samples in `columns` and `rows`. A column has the greatest level
-/// of the windows in it, so that no impact falls between two.
+/// The spectrogram of samples in `columns` and `rows`. A column has the greatest level
+/// of the windows in it, so that no impact falls between two. The first and the last `margin` samples are only in windows
+/// of others.
 pub fn spectrogram(
     samples: &[f32],
+    margin: usize,
     sample_rate_hz: f64,
     columns: usize,
     rows: usize,
@@ -48,12 +50,13 @@ pub fn spectrogram(
     let mut spectrum = vec![Complex::new(0.0, 0.0); WINDOW];
     let mut powers = vec![0.0_f32; WINDOW / 2 + 1];
     let mut cells = Vec::with_capacity(columns * rows);
+    let shown = samples.len().saturating_sub(2 * margin);
     let bins_per_row = top_hz / (sample_rate_hz / WINDOW as f64) / rows.max(1) as f64;
     for column in 0..columns {
         powers.fill(0.0);
-        for start in starts(samples.len(), columns, column) {
+        for start in starts(shown, columns, column) {
             for (n, value) in spectrum.iter_mut().enumerate() {
-                let sample = (start + n).checked_sub(WINDOW / 2);
+                let sample = (margin + start + n).checked_sub(WINDOW / 2);
                 let sample = sample.and_then(|n| samples.get(n)).unwrap_or(&0.0);
                 *value = Complex::new(sample * window[n], 0.0);
             }
@@ -100,7 +103,7 @@ mod tests {
             .map(|n| 0.1 * (std::f32::consts::TAU * 5000.0 * n as f32 / 44_100.0).sin())
             .collect();
         let (columns, rows) = (50, 40);
-        let result = spectrogram(&samples, 44_100.0, columns, rows);
+        let result = spectrogram(&samples, 0, 44_100.0, columns, rows);
         assert_eq!(result.cells.len(), columns * rows);
         let middle = &result.cells[25 * rows..26 * rows];
         let loudest = (0..rows).max_by_key(|&row| middle[row]).unwrap();
@@ -114,10 +117,28 @@ mod tests {
         assert!(middle[20] < 80, "{}", middle[20]);
     }
 
+    /// A part with its margins has the columns that it has in the whole.
+    #[test]
+    fn parts_make_the_whole() {
+        let samples: Vec<f32> = (0..40_000)
+            .map(|n| (n as f32 * 0.11).sin() * (n % 4001) as f32 / 4001.0)
+            .collect();
+        let (margin, rows) = (WINDOW / 2, 16);
+        let mut padded = vec![0.0; margin];
+        padded.extend(&samples);
+        padded.extend(vec![0.0; margin]);
+        let whole = spectrogram(&samples, 0, 44_100.0, 40, rows);
+        let part = |from: usize| {
+            let within = from..from + 20_000 + 2 * margin;
+            spectrogram(&padded[within], margin, 44_100.0, 20, rows).cells
+        };
+        assert_eq!([part(0), part(20_000)].concat(), whole.cells);
+    }
+
     #[test]
     fn silence_and_nothing_are_black() {
-        assert_eq!(spectrogram(&[0.0; 100], 48_000.0, 3, 2).cells, [0; 6]);
-        assert_eq!(spectrogram(&[], 48_000.0, 3, 2).cells, [0; 6]);
-        assert!(spectrogram(&[0.0; 100], 48_000.0, 0, 0).cells.is_empty());
+        assert_eq!(spectrogram(&[0.0; 100], 0, 48_000.0, 3, 2).cells, [0; 6]);
+        assert_eq!(spectrogram(&[], 0, 48_000.0, 3, 2).cells, [0; 6]);
+        assert!(spectrogram(&[0.0; 100], 0, 48_000.0, 0, 0).cells.is_empty());
     }
 }

@@ -12,11 +12,9 @@ export type LabErrorKind = RefusalKind | 'superseded' | 'cancelled';
 /** What exactly is wrong with a file: what the science finds, and what is too much for a browser. */
 export type LabReason =
   | Reason
-  | { code: 'too-large'; megabytes: number }
   | { code: 'too-long'; minutes: number; channels: number }
   | { code: 'no-memory' }
-  | { code: 'breaks-decoder' }
-  | { code: 'unreadable' };
+  | { code: 'breaks-decoder' };
 
 /** A refusal as it comes out of a worker. */
 export type LabRefusal = Omit<Refusal, 'reason'> & { reason: LabReason | null };

@@ -32,6 +32,7 @@ import {
   type FigureRequest,
   type Level,
   type Messages,
+  type Sound,
   type Spectrogram,
 } from './protocol.ts';
 import { Recording, type Services } from './recording.ts';
@@ -40,26 +41,12 @@ import { Recording, type Services } from './recording.ts';
 export interface OpenOptions {
   /** The only channel to listen to, the first being 1; the one with the most evidence if left out. */
   channel?: number;
+  /** The rate in Hz of samples whose file does not state it. */
+  rateHz?: number | undefined;
   /** Cancels it. */
   signal?: AbortSignal;
   /** Progress, 0 to 1. */
   onProgress?: (share: number) => void;
-}
-
-/** The largest file that is opened: what is in memory at once must fit on a phone. */
-const LARGEST_FILE_BYTES = 512e6;
-
-/**
- * Refuses a file of this size if it is too large to be opened.
- *
- * @throws LabError
- */
-export function mustFit(name: string, bytes: number): void {
-  if (bytes <= LARGEST_FILE_BYTES) return;
-  const megabytes = Math.round(bytes / 1e6);
-  throw new LabError('too-long', `${name} is too large for a browser (${megabytes} MB)`, {
-    reason: { code: 'too-large', megabytes },
-  });
 }
 
 /**
@@ -81,8 +68,11 @@ export class Lab {
   /** The worker for long requests. */
   readonly #back: Connection;
   readonly #messages: () => Messages;
+  /** The worker that reads the sound of files, once it is needed. */
+  #reader: Connection | undefined;
   #turn = 0;
   #sessions = 0;
+  #files = 0;
 
   /** Answers are in the language that `messages` has when they are asked for. */
   constructor(
@@ -116,18 +106,19 @@ export class Lab {
    */
   async open(file: File | { name: string; blob: Blob }, options: OpenOptions = {}) {
     const blob = file instanceof File ? file : file.blob;
-    mustFit(file.name, blob.size);
-    const bytes = await blob.arrayBuffer().catch((reason: unknown) => {
-      throw new LabError('damaged', `${file.name} cannot be read: ${String(reason)}`, {
-        reason: { code: 'unreadable' },
-      });
-    });
-    const request = { bytes, name: file.name, channel: options.channel ?? null };
+    const of = { file: blob, name: file.name, rateHz: options.rateHz ?? null };
+    const request = { ...of, channel: options.channel ?? null };
     // A worker of its own: a damaged file may break the decoder, and long ones can be called off.
     const { result, sound } = await this.#alone(true, options.signal, (connection) =>
-      connection.call('open', request, { transfer: [bytes], progress: options.onProgress }),
+      connection.call('open', request, { progress: options.onProgress }),
     );
-    return new Recording(file.name, result, sound, this.#services);
+    this.#files += 1;
+    const id = this.#files;
+    const read: Sound['read'] = (channel, from, to) => {
+      this.#reader ??= new Connection(this.#spawn, this.#modules(true), this.#messages);
+      return this.#reader.call('read', { ...of, id, channel, from, to });
+    };
+    return new Recording(file.name, result, sound && { ...sound, read }, this.#services);
   }
 
   /** Impact times as a person pastes them: one a line, or a table, or an array. */
@@ -140,17 +131,18 @@ export class Lab {
    * sound was lost, and silence stands in its place.
    */
   async detect(
-    channels: Float32Array[],
+    channels: Float32Array<ArrayBuffer>[],
     sampleRateHz: number,
     name: string,
     format = 'samples',
     gaps: readonly Gap[] = [],
   ): Promise<Recording> {
-    const transfer = channels.map((channel) => channel.buffer as ArrayBuffer);
-    const { result, sound } = await this.#alone(false, undefined, (connection) =>
+    const transfer = channels.map((channel) => channel.buffer);
+    const found = await this.#alone(false, undefined, (connection) =>
       connection.call('detect', { channels, sampleRateHz, format, gaps }, { transfer }),
     );
-    return new Recording(name, result, sound, this.#services);
+    const sound = { ...found.sound, read: readerOf(found.channels) };
+    return new Recording(name, found.result, sound, this.#services);
   }
 
   /** The paper's drop, simulated: its recording (by this name), its settings and the truth. */
@@ -350,7 +342,7 @@ export class Lab {
   synthesise(
     request: SimulationRequest,
     scene: SceneRequest,
-  ): Promise<{ samples: Float32Array; sampleRateHz: number }> {
+  ): Promise<{ samples: Float32Array<ArrayBuffer>; sampleRateHz: number }> {
     return this.#front.call('synthesise', { request, scene });
   }
 
@@ -385,6 +377,7 @@ export class Lab {
   close(): void {
     this.#front.close();
     this.#back.close();
+    this.#reader?.close();
   }
 
   #working: Promise<void> = Promise.resolve();
@@ -440,13 +433,14 @@ export class Lab {
       ),
     spectrogram: (
       samples: Float32Array,
+      margin: number,
       sampleRateHz: number,
       columns: number,
       rows: number,
     ): Promise<Spectrogram> =>
       this.#front.call(
         'spectrogram',
-        { samples, sampleRateHz, columns, rows },
+        { samples, margin, sampleRateHz, columns, rows },
         { transfer: [samples.buffer as ArrayBuffer] },
       ),
     wav: (channels: Float32Array[], sampleRateHz: number) => this.wav(channels, sampleRateHz),
@@ -500,7 +494,8 @@ export class Listening {
     const request = { session: this.#session, format };
     const { result, levels } = await this.#connection.call('finish', request);
     const { sampleRateHz, gaps } = this;
-    const sound = { sampleRateHz, channels: [this.samples()], levels, gaps };
+    const [frames, read] = [this.#frames, readerOf([this.samples()])];
+    const sound = { sampleRateHz, frames, channels: 1, levels, gaps, read };
     return new Recording(name, result, sound, this.#services);
   }
 
@@ -508,6 +503,11 @@ export class Listening {
   async discard(): Promise<void> {
     await this.#connection.call('cancel', { session: this.#session });
   }
+}
+
+/** Reads samples that are in memory. */
+function readerOf(channels: readonly Float32Array<ArrayBuffer>[]): Sound['read'] {
+  return async (channel, from, to) => channels[channel]?.slice(from, to) ?? new Float32Array();
 }
 
 /** The level that a picture of the whole is drawn from. */

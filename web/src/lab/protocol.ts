@@ -51,15 +51,30 @@ export interface Level {
   extremes: Float32Array;
 }
 
-/** A recording that was decoded, or ended. */
-export interface Sound {
-  sampleRateHz: number;
-  /** The samples of each channel. */
-  channels: Float32Array[];
+/** What is known of a sound without its samples. */
+export interface SoundOutline {
+  readonly sampleRateHz: number;
+  /** Samples of each channel. */
+  readonly frames: number;
+  readonly channels: number;
   /** Of the channel with the drops. */
-  levels: Level[];
+  readonly levels: readonly Level[];
   /** Where sound was lost, and silence stands in its place. */
-  gaps: readonly Gap[];
+  readonly gaps: readonly Gap[];
+}
+
+/** A sound, whose samples are read where they are needed. */
+export interface Sound extends SoundOutline {
+  /** The samples of a channel, counted from 0, from one up to another; there are none before the first and behind the last. */
+  read(channel: number, from: number, to: number): Promise<Float32Array<ArrayBuffer>>;
+}
+
+/** A file as it is decoded. */
+export interface SoundFile {
+  readonly file: Blob;
+  readonly name: string;
+  /** The rate of samples whose file does not state it. */
+  readonly rateHz: number | null;
 }
 
 /** A spectrogram: one byte for each cell, rows from low to high frequency, columns one by one. */
@@ -77,21 +92,30 @@ export interface Spectrogram {
 export interface Calls {
   catalogue: { request: Record<never, never>; response: Catalogue };
   open: {
-    request: { bytes: ArrayBuffer; name: string; channel: number | null };
-    response: { result: RecordingResult; sound: Sound | null };
+    request: SoundFile & { channel: number | null };
+    response: { result: RecordingResult; sound: SoundOutline | null };
+  };
+  /** `id` tells one file from another. */
+  read: {
+    request: SoundFile & { id: number; channel: number; from: number; to: number };
+    response: Float32Array<ArrayBuffer>;
   };
   detect: {
     request: {
-      channels: Float32Array[];
+      channels: Float32Array<ArrayBuffer>[];
       sampleRateHz: number;
       format: string;
       gaps: readonly Gap[];
     };
-    response: { result: RecordingResult; sound: Sound };
+    response: {
+      result: RecordingResult;
+      sound: SoundOutline;
+      channels: Float32Array<ArrayBuffer>[];
+    };
   };
   demo: {
     request: { seed: number };
-    response: { demo: Demo; samples: Float32Array; sampleRateHz: number };
+    response: { demo: Demo; samples: Float32Array<ArrayBuffer>; sampleRateHz: number };
   };
   listen: { request: { session: number; sampleRateHz: number }; response: null };
   push: {
@@ -142,7 +166,14 @@ export interface Calls {
     response: Impact | null;
   };
   spectrogram: {
-    request: { samples: Float32Array; sampleRateHz: number; columns: number; rows: number };
+    request: {
+      samples: Float32Array;
+      /** Samples at both ends that are not shown. */
+      margin: number;
+      sampleRateHz: number;
+      columns: number;
+      rows: number;
+    };
     response: Spectrogram;
   };
   wav: {
@@ -152,7 +183,7 @@ export interface Calls {
   simulate: { request: { request: SimulationRequest }; response: SimulationDocument };
   synthesise: {
     request: { request: SimulationRequest; scene: SceneRequest };
-    response: { samples: Float32Array; sampleRateHz: number };
+    response: { samples: Float32Array<ArrayBuffer>; sampleRateHz: number };
   };
   simulationCharts: { request: { runs: SimulationRun[] }; response: Chart[] };
   dropCharts: { request: { drops: ComparedDrop[] }; response: Chart[] };

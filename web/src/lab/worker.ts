@@ -9,6 +9,7 @@ import * as decoding from './engine/decoders.js';
 import * as science from './engine/engine.js';
 import type { Demo, Gap, RecordingResult } from './engine/types.ts';
 import type { LabReason, LabRefusal } from './error.ts';
+import { FileSound, openFile } from './file-sound.ts';
 import type {
   Call,
   FigureRequest,
@@ -17,12 +18,14 @@ import type {
   Messages,
   Request,
   Response,
-  Sound,
+  SoundOutline,
   ToWorker,
 } from './protocol.ts';
 
-/** Samples that do not fit into this memory cannot be kept, in bytes. */
-const MAX_SAMPLE_BYTES = 480e6;
+/** Maximum number of samples of all channels: two hours of two channels, whose picture takes 115 MB. */
+const MAX_SAMPLES = 2 * 2 * 3600 * 48_000;
+/** The least number of bytes that a sample takes, in Opus for speech: a length that would need less is none. */
+const MIN_SAMPLE_BYTES = 0.005;
 
 /** What a call may use besides its request. */
 interface Context {
@@ -30,7 +33,7 @@ interface Context {
   readonly messages: Messages;
   progress(share: number): void;
 }
-type Answer<C extends Call> = { response: Response<C>; transfer?: Transferable[] };
+type Answer<C extends Call> = { response: Response<C>; transfer?: Transferable[] | undefined };
 type Handlers = { [C in Call]: (request: Request<C>, context: Context) => Answer<C> };
 
 class TooLong extends Error {
@@ -43,47 +46,51 @@ class TooLong extends Error {
 }
 
 const analyst = lazily(() => new science.Analyst());
+/** The file whose sound was read last. */
+let reading: { readonly id: number; readonly sound: FileSound } | undefined;
 /** Detectors of recordings that go on. */
 const sessions = new Map<number, science.Detector>();
 
 const handlers: Handlers = {
   catalogue: () => ({ response: JSON.parse(science.catalogue()) }),
 
-  open: ({ bytes, name, channel }, { progress }) => {
-    const opened = new decoding.Opened(new Uint8Array(bytes), name);
+  open: ({ channel, ...of }, { progress }) => {
+    const opened = openFile(of);
     const list = opened.list();
     if (list !== undefined) {
       return { response: { result: JSON.parse(science.listed(list)), sound: null } };
     }
-    const decoder = opened.decoder();
+    const decoder = opened.decoder(of.rateHz ?? undefined);
     const sampleRateHz = decoder.sampleRateHz();
     const expected = (decoder.durationS() ?? 0) * sampleRateHz;
-    const channels = Array.from({ length: decoder.channels() }, () => new Samples(expected));
-    const detector = new science.Detector(sampleRateHz, channels.length, channel);
+    const channels = decoder.channels();
+    const mustFit = (frames: number): void => {
+      if (frames * channels > MAX_SAMPLES) {
+        throw new TooLong(Math.floor(MAX_SAMPLES / channels / sampleRateHz / 60), channels);
+      }
+    };
+    if (of.file.size > MIN_SAMPLE_BYTES * expected * channels) mustFit(expected);
+    const detector = new science.Detector(sampleRateHz, channels, channel);
     let frames = 0;
-    let more = true;
-    while (more) {
+    for (let more = true; more; ) {
       more = decoder.decodeOn();
-      channels.forEach((all, channel) => {
+      for (let channel = 0; channel < channels; channel += 1) {
         const samples = decoder.takeSamples(channel);
         detector.push(channel, samples);
-        all.push(samples);
-        frames = all.length;
-      });
-      if (4 * frames * channels.length > MAX_SAMPLE_BYTES) {
-        throw new TooLong(Math.floor(frames / sampleRateHz / 60), channels.length);
+        if (channel === 0) frames += samples.length;
       }
-      if (expected > 0) {
-        progress(Math.min(1, frames / expected));
-      }
+      mustFit(frames);
+      if (expected > 0) progress(Math.min(1, frames / expected));
     }
-    const planes = channels.map((samples) => samples.all());
-    const file = {
-      format: decoder.format(),
-      warnings: decoder.warnings(),
-      gaps: JSON.parse(decoder.gaps()),
-    };
-    return detected(detector, file, planes, sampleRateHz);
+    const gaps: Gap[] = JSON.parse(decoder.gaps());
+    const file = { format: decoder.format(), warnings: decoder.warnings(), gaps };
+    const response = detected(detector, file, { sampleRateHz, frames, channels, gaps });
+    return { response, transfer: buffersOf(response.sound) };
+  },
+  read: ({ id, channel, from, to, ...of }) => {
+    if (reading?.id !== id) reading = { id, sound: new FileSound(of) };
+    const samples = reading.sound.read(channel, from, to);
+    return { response: samples, transfer: buffers([samples]) };
   },
 
   detect: ({ channels, sampleRateHz, format, gaps }, { progress }) => {
@@ -95,17 +102,19 @@ const handlers: Handlers = {
       });
       progress(Math.min(1, (at + sampleRateHz) / frames));
     }
-    return detected(detector, { format, warnings: '[]', gaps }, channels, sampleRateHz);
+    const known = { sampleRateHz, frames, channels: channels.length, gaps };
+    const response = detected(detector, { format, warnings: '[]', gaps }, known);
+    return {
+      response: { ...response, channels },
+      transfer: [...buffersOf(response.sound), ...buffers(channels)],
+    };
   },
 
   demo: ({ seed }) => {
     const rendering = science.Rendering.demo(seed);
     const demo: Demo = JSON.parse(rendering.about());
-    const samples = rendering.takeSamples();
-    return {
-      response: { demo, samples, sampleRateHz: rendering.sampleRateHz() },
-      transfer: buffers([samples]),
-    };
+    const { response, transfer } = rendered(rendering);
+    return { response: { demo, ...response }, transfer };
   },
 
   listen: ({ session, sampleRateHz }) => {
@@ -189,8 +198,8 @@ const handlers: Handlers = {
   onset: ({ samples, sampleRateHz, startS, timeS }) => ({
     response: JSON.parse(science.onsetNear(samples, sampleRateHz, startS, timeS)),
   }),
-  spectrogram: ({ samples, sampleRateHz, columns, rows }) => {
-    const found = new science.Spectrogram(samples, sampleRateHz, columns, rows);
+  spectrogram: ({ samples, margin, sampleRateHz, columns, rows }) => {
+    const found = new science.Spectrogram(samples, margin, sampleRateHz, columns, rows);
     const cells = found.takeCells();
     return {
       response: { columns, rows, topHz: found.topHz(), cells, floorDb: found.floorDb() },
@@ -208,11 +217,7 @@ const handlers: Handlers = {
   }),
   synthesise: ({ request, scene }) => {
     const rendering = science.Rendering.synthesise(JSON.stringify(request), JSON.stringify(scene));
-    const samples = rendering.takeSamples();
-    return {
-      response: { samples, sampleRateHz: rendering.sampleRateHz() },
-      transfer: buffers([samples]),
-    };
+    return rendered(rendering);
   },
   simulationCharts: ({ runs }, { translator }) => ({
     response: JSON.parse(science.simulationCharts(JSON.stringify(runs), translator)),
@@ -257,45 +262,26 @@ function figure<T>(
   return JSON.parse(draw(JSON.stringify(request), drop, name, compared, translator));
 }
 
-/** Samples that come bit by bit, for a length that is known more or less. */
-class Samples {
-  #all: Float32Array<ArrayBuffer>;
-  length = 0;
-
-  constructor(expected: number) {
-    this.#all = new Float32Array(Math.min(Math.ceil(expected) + 1, MAX_SAMPLE_BYTES / 4));
-  }
-
-  push(samples: Float32Array): void {
-    const needed = this.length + samples.length;
-    if (needed > this.#all.length) {
-      const larger = new Float32Array(Math.max(needed, 2 * this.#all.length));
-      larger.set(this.#all.subarray(0, this.length));
-      this.#all = larger;
-    }
-    this.#all.set(samples, this.length);
-    this.length = needed;
-  }
-
-  all(): Float32Array<ArrayBuffer> {
-    return this.length === this.#all.length ? this.#all : this.#all.slice(0, this.length);
-  }
+function rendered(rendering: science.Rendering): Answer<'synthesise'> {
+  const samples = rendering.takeSamples() as Float32Array<ArrayBuffer>;
+  return {
+    response: { samples, sampleRateHz: rendering.sampleRateHz() },
+    transfer: buffers([samples]),
+  };
 }
 
 function detected(
   detector: science.Detector,
   file: { format: string; warnings: string; gaps: readonly Gap[] },
-  channels: Float32Array[],
-  sampleRateHz: number,
-): { response: { result: RecordingResult; sound: Sound }; transfer: Transferable[] } {
+  known: Omit<SoundOutline, 'levels'>,
+): { result: RecordingResult; sound: SoundOutline } {
   detector.lose(JSON.stringify(file.gaps));
   const result: RecordingResult = JSON.parse(detector.finish(file.format, file.warnings));
-  const levels = levelsOf(detector);
-  return {
-    response: { result, sound: { sampleRateHz, channels, levels, gaps: file.gaps } },
-    transfer: buffers([...channels, ...levels.map((level) => level.extremes)]),
-  };
+  return { result, sound: { ...known, levels: levelsOf(detector) } };
 }
+
+const buffersOf = ({ levels }: SoundOutline): Transferable[] =>
+  buffers(levels.map((level) => level.extremes));
 
 function levelsOf(finished: science.Detector): Level[] {
   return Array.from(finished.samplesPerBin(), (samplesPerBin, level) => ({
@@ -347,7 +333,7 @@ function refusalOf(
   if (error instanceof RangeError) {
     return refused('too-long', 'there is not enough memory for it', { code: 'no-memory' });
   }
-  if (broken && call === 'open') {
+  if (broken && (call === 'open' || call === 'read')) {
     return refused('damaged', 'the decoder fails on this file', { code: 'breaks-decoder' });
   }
   return refused('fault', String(error), null);

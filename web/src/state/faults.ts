@@ -16,6 +16,7 @@ export type FaultKey =
   | 'unsupported-file'
   | 'damaged'
   | 'times'
+  | 'rate'
   | 'huge'
   | 'setting'
   | 'link'

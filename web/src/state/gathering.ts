@@ -3,7 +3,7 @@
  * something else is named, the rest is kept; a drop that is in the table already is not added again.
  */
 import { codesIn } from '../address/drop.ts';
-import { type Diagnostic, type DropMarks, LabError, mustFit, type Settings } from '../lab/index.ts';
+import { type Diagnostic, type DropMarks, LabError, type Settings } from '../lab/index.ts';
 import {
   ArchiveError,
   dropsOfList,
@@ -135,7 +135,6 @@ async function* sourcesInFile(
     else yield* sourcesIn(inside, owner, depth + 1, refused);
     return;
   }
-  mustFit(file.path, file.size);
   if (ending === 'json') {
     yield listed(file, student);
   } else {

@@ -12,6 +12,7 @@ import { dropNear, forEngine } from './marks.ts';
 import { type Measured, measureMarks, summaryOf } from './measuring.ts';
 import { openLinked, openStored } from './opening.ts';
 import { goToLab, settings } from './settings.ts';
+import { isWhole } from './sound.ts';
 import {
   type Answer,
   analysed,
@@ -96,15 +97,15 @@ function comparableOf(answer: Answer | null): Pick<KeptDrop, 'comparable'> {
   return { comparable: answer.comparable[place.peek()] ?? null };
 }
 
-/** Puts the sound of an opened file or of the demo into the database. */
+/** Puts the sound of an opened file or of the demo into the database, unless it is too long. */
 async function storeSound(name: string): Promise<string | null> {
   const recording = workspace.peek()?.recording;
-  if (!recording?.sound) return null;
+  if (!recording?.sound || !isWhole.peek()) return null;
   const { sampleRateHz: rateHz, gaps } = recording.sound;
   const id = newId();
   lock(id);
   const stored = { id, name, rateHz, gaps, startedAt: Date.now(), finished: true };
-  await addRecording(stored, recording.dropChannel.slice());
+  await addRecording(stored, await recording.samples(0, recording.durationS));
   return id;
 }
 
@@ -112,7 +113,7 @@ async function storeSound(name: string): Promise<string | null> {
 export async function rescue(): Promise<void> {
   const loaded = workspace.peek();
   if (!loaded || loaded.storedAs !== null) return;
-  if (loaded.pyramid) await storeSound(loaded.name).catch(() => undefined);
+  if (loaded.pyramid && isWhole.peek()) await storeSound(loaded.name).catch(() => undefined);
   else {
     const link = await linkOfDrop(loaded.name).catch(() => undefined);
     if (link) location.replace(link.address);

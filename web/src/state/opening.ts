@@ -1,4 +1,5 @@
 /** Ways into the workspace other than the microphone: a file, a list of times, the demo, the database. */
+import { signal } from '@preact/signals';
 import { LabError, type LinkedDrop, type Recording, type Settings } from '../lab/index.ts';
 import { joined } from '../store/blocks.ts';
 import { lock } from '../store/locks.ts';
@@ -23,14 +24,21 @@ async function load(
   }
 }
 
-export function openFile(file: File): Promise<void> {
-  return load(file.name, async () => {
+/** A file of samples whose rate has to be stated. */
+export const withoutRate = signal<File | null>(null);
+
+/** Opens a file; `rateHz` is that of samples whose file does not state it. */
+export async function openFile(file: File, rateHz?: number): Promise<void> {
+  if (busy.peek()) return;
+  withoutRate.value = null;
+  await load(file.name, async () => {
     if (file.size === 0) {
       throw new LabError('empty', `${file.name} has no content`, {
         reason: { code: 'empty', what: 'content' },
       });
     }
     return engine().open(file, {
+      rateHz,
       onProgress: (share) => {
         if (phase.peek().kind === 'reading') {
           phase.value = { kind: 'reading', name: file.name, share };
@@ -38,6 +46,11 @@ export function openFile(file: File): Promise<void> {
       },
     });
   });
+  const reason = fault.peek()?.reason;
+  if (reason?.code === 'times' && reason.problem.code === 'no-rate') {
+    fault.value = { key: 'rate', reason, about: file.name };
+    withoutRate.value = file;
+  }
 }
 
 export const openTimes = (times: string): Promise<void> =>
@@ -61,7 +74,7 @@ export function openDemo(): Promise<void> {
 
 /** Samples that were made, of what is known. */
 export function openSamples(
-  samples: Float32Array,
+  samples: Float32Array<ArrayBuffer>,
   rateHz: number,
   name: string,
   setup: Settings,

@@ -138,7 +138,9 @@ export async function playRun(): Promise<void> {
   // The sound begins before the release, the curve with the first impact.
   const fallS = outcome.peek()?.simulated.simulations[0]?.bounces[0]?.time_s ?? 0;
   dropped.value = performance.now() + 1000 * (SCENE.lead_in_s + fallS);
-  await play(samples, sampleRateHz, 0, 1);
+  const at = (timeS: number): number => Math.round(timeS * sampleRateHz);
+  const read = async (fromS: number, toS: number) => samples.slice(at(fromS), at(toS));
+  await play({ rateHz: sampleRateHz, read }, 0, samples.length / sampleRateHz, 1);
 }
 
 /** Into the workspace with it, as if it had been recorded. */

@@ -92,7 +92,7 @@ export function put(
   recording: Recording,
   { storedAs, setup, ...from }: Origin = {},
 ): void {
-  const { sound, dropChannel } = recording;
+  const { sound } = recording;
   stop();
   batch(() => {
     startFrom(setup ?? null);
@@ -100,7 +100,7 @@ export function put(
     workspace.value = {
       name,
       recording,
-      pyramid: sound && { rateHz: sound.sampleRateHz, samples: dropChannel, levels: sound.levels },
+      pyramid: sound && { ...sound, rateHz: sound.sampleRateHz },
       durationS: recording.durationS,
       storedAs: storedAs ?? null,
     };

@@ -75,7 +75,7 @@ function paintOverview(
   if (!level || peak === 0) return;
   const column = new Float32Array(2);
   context.fillStyle = colour('edge');
-  for (let i = 0; i < canvas.width && i * perColumn < pyramid.samples.length; i += 1) {
+  for (let i = 0; i < canvas.width && i * perColumn < pyramid.frames; i += 1) {
     columnOf(level, i * perColumn, (i + 1) * perColumn, column, 0);
     const [low = 0, high = 0] = column;
     const tall = Math.max(1, ((high - low) / (2 * peak)) * canvas.height);

@@ -1,4 +1,4 @@
-import type { Signal } from '@preact/signals';
+import type { ReadonlySignal, Signal } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { fixed } from '../format/quantity.ts';
 import { dark, fontOf } from '../style/colours.ts';
@@ -8,7 +8,7 @@ import { type GestureTarget, listenToGestures } from './gestures.ts';
 import { type Action, actionOf } from './keys.ts';
 import { beside, CERTAIN, type Mark, nearest } from './mark.ts';
 import { paint, palette, type Scene, type Surface } from './painter.ts';
-import type { Pyramid } from './pyramid.ts';
+import type { Part, Pyramid } from './pyramid.ts';
 import { clamped, revealing, type Viewport, whole, widthS, zoomed } from './viewport.ts';
 
 /** What the reader does to the impacts. */
@@ -28,6 +28,7 @@ export interface WaveformEdits {
 
 export interface WaveformProps {
   readonly pyramid: Pyramid;
+  readonly part: ReadonlySignal<Part | null>;
   readonly durationS: number;
   readonly marks: readonly Mark[];
   readonly view: Signal<Viewport>;
@@ -63,17 +64,18 @@ export function Waveform(props: WaveformProps) {
 
   // Whatever of these changes, the picture is painted once, with the next frame.
   const { view, amplitude, selected, cursorS, isPlaying, marks, pyramid, durationS } = props;
-  const [isDark, now, scale, chosen, cursor, sounding] = [
+  const [isDark, now, scale, chosen, cursor, sounding, part] = [
     dark.value,
     view.value,
     amplitude.value,
     selected.value,
     cursorS.value,
     isPlaying.value,
+    props.part.value,
   ];
   useEffect(
     () => painter.request(),
-    [now, scale, chosen, cursor, sounding, marks, pyramid, isDark],
+    [now, scale, chosen, cursor, sounding, marks, pyramid, part, isDark],
   );
   useEffect(() => painter.forgetColours(), [isDark]);
 
@@ -260,10 +262,12 @@ class Painter {
   #paint(): void {
     this.#frame = 0;
     if (!this.#surface || this.#surface.width === 0) return;
-    const { pyramid, view, amplitude, marks, selected, cursorS, playheadS } = this.latest.current;
+    const { pyramid, part, view, amplitude, marks, selected, cursorS, playheadS } =
+      this.latest.current;
     const playhead = playheadS();
     const scene: Scene = {
       pyramid,
+      part: part.value,
       view: view.value,
       heightOf: heightOf(amplitude.value, pyramid, view.value),
       marks,

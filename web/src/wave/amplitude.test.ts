@@ -5,7 +5,7 @@ import type { Pyramid } from './pyramid.ts';
 /** A loud sound in the first second, a faint one in the next. */
 const pyramid: Pyramid = {
   rateHz: 2,
-  samples: new Float32Array([0.5, -0.5, 0.005, -0.005]),
+  frames: 4,
   levels: [{ samplesPerBin: 2, extremes: new Float32Array([-0.5, 0.5, -0.005, 0.005]) }],
 };
 const [loud, faint] = [

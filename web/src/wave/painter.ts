@@ -1,7 +1,7 @@
 /** Draws a part of a sound with its marks onto a canvas. Nothing here knows of events or state. */
 import { colour } from '../style/colours.ts';
 import { CERTAIN, type Mark } from './mark.ts';
-import { columnOf, levelFor, type Pyramid } from './pyramid.ts';
+import { columnOf, covers, levelFor, type Part, type Pyramid } from './pyramid.ts';
 import { tickDecimals, ticks, type Viewport, widthS } from './viewport.ts';
 
 /** Space for the flags of the marks above and the ruler below, and between ticks, for texts of 16 px. */
@@ -36,6 +36,8 @@ export function palette(): Palette {
 
 export interface Scene {
   readonly pyramid: Pyramid;
+  /** The samples in sight, if they were read. */
+  readonly part: Part | null;
   readonly view: Viewport;
   /** The height of a sample as a share of what there is above the middle. */
   readonly heightOf: (sample: number) => number;
@@ -109,7 +111,9 @@ function paintSound(surface: Surface, scene: Scene): void {
   const perColumn = (widthS(scene.view) * scene.pyramid.rateHz) / (width * ratio);
   const finest = scene.pyramid.levels[0];
   if (!finest) return;
-  if (perColumn < finest.samplesPerBin) paintSamples(surface, scene);
+  const { part, pyramid, view } = scene;
+  const isClose = perColumn < finest.samplesPerBin;
+  if (part && isClose && covers(part, view, pyramid.frames)) paintSamples(surface, scene, part);
   else paintColumns(surface, scene, perColumn);
 }
 
@@ -129,7 +133,7 @@ function paintColumns(surface: Surface, scene: Scene, perColumn: number): void {
   context.beginPath();
   for (let column = 0; column < count; column += 1) {
     const first = from + column * perColumn;
-    if (first >= pyramid.samples.length) break;
+    if (first >= pyramid.frames) break;
     columnOf(level, first, first + perColumn, columns, column);
     const low = half * heightOf(columns[2 * column] as number);
     const high = half * heightOf(columns[2 * column + 1] as number);
@@ -139,19 +143,18 @@ function paintColumns(surface: Surface, scene: Scene, perColumn: number): void {
 }
 
 /** Closer than the pyramid: the samples themselves, joined by a line. */
-function paintSamples(surface: Surface, scene: Scene): void {
+function paintSamples(surface: Surface, scene: Scene, { rateHz, from, samples }: Part): void {
   const { context, width, palette: colours } = surface;
-  const { pyramid, view, heightOf } = scene;
-  const { rateHz, samples } = pyramid;
+  const { view, heightOf } = scene;
   const { middle, half } = frame(surface);
-  const first = Math.max(0, Math.floor(view.startS * rateHz));
-  const last = Math.min(samples.length - 1, Math.ceil(view.endS * rateHz));
+  const first = Math.max(0, Math.floor(view.startS * rateHz) - from);
+  const last = Math.min(samples.length - 1, Math.ceil(view.endS * rateHz) - from);
   context.strokeStyle = colours.wave;
   context.lineWidth = 1.25;
   context.lineJoin = 'round';
   context.beginPath();
   for (let i = first; i <= last; i += 1) {
-    const x = xOf(i / rateHz, view, width);
+    const x = xOf((from + i) / rateHz, view, width);
     const y = middle - half * heightOf(samples[i] as number);
     if (i === first) context.moveTo(x, y);
     else context.lineTo(x, y);

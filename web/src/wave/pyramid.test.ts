@@ -5,7 +5,7 @@ const levels = [
   { samplesPerBin: 2, extremes: Float32Array.of(-1, 1, -2, 0, 0, 3, -4, 2) },
   { samplesPerBin: 4, extremes: Float32Array.of(-2, 1, -4, 3) },
 ];
-const pyramid: Pyramid = { rateHz: 8, samples: new Float32Array(8), levels };
+const pyramid: Pyramid = { rateHz: 8, frames: 8, levels };
 
 test('the level is the coarsest with at least one bin a column', () => {
   expect(levelFor(pyramid, 1)?.samplesPerBin).toBe(2);

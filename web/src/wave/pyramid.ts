@@ -4,13 +4,28 @@
  */
 
 import type { Level } from '../lab/index.ts';
+import type { Viewport } from './viewport.ts';
 
 export interface Pyramid {
   readonly rateHz: number;
-  /** The sound itself. */
-  readonly samples: Float32Array;
+  /** How many samples the sound has. */
+  readonly frames: number;
   /** The finest first. */
   readonly levels: readonly Level[];
+}
+
+/** Samples of a sound from one of them on. */
+export interface Part {
+  readonly rateHz: number;
+  readonly from: number;
+  readonly samples: Float32Array;
+}
+
+/** Whether a part has all samples of a view of a sound. */
+export function covers(part: Part | null, { startS, endS }: Viewport, frames: number): boolean {
+  if (!part) return false;
+  const { rateHz, from, samples } = part;
+  return from <= startS * rateHz && from + samples.length >= Math.min(frames, endS * rateHz);
 }
 
 /** The coarsest level with at least one bin a column. */

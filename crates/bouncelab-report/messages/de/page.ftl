@@ -34,6 +34,8 @@ page-lab-listen = Zuhören
 page-lab-stop = Stopp
 page-lab-again = Noch einmal zuhören
 page-lab-open = Datei öffnen
+page-lab-rate = Abtastrate
+page-lab-rate-open = Als Ton lesen
 page-lab-paste = Zeiten einfügen
 page-lab-demo = Beispiel ansehen
 page-lab-open-label = Aufnahme oder Liste von Aufprallzeiten
@@ -152,9 +154,11 @@ page-faults-damaged-do = Kopiere oder lade sie neu. Eine Datei, an der das Handy
 
 page-faults-times-what = Das können keine Aufprallzeiten sein.
 page-faults-times-do = Eine Zeit in Sekunden je Zeile, aufsteigend; Komma oder Punkt für Nachkommastellen.
+page-faults-rate-what = In der Tabelle steht nicht, wann die Werte aufgenommen wurden.
+page-faults-rate-do = Gib die Abtastrate an: wie viele Werte das Gerät in der Sekunde aufnahm, oft 44100 oder 48000.
 
 page-faults-huge-what = Die Datei ist zu groß für einen Browser.
-page-faults-huge-do = Bis 500 MB und etwa vierzig Minuten Ton. Schneide sie auf die Minuten mit dem Ball, oder nimm die Kommandozeile: bouncelab analyze.
+page-faults-huge-do = Bis zwei Stunden Ton in zwei Kanälen oder vier in einem. Schneide sie auf die Minuten mit dem Ball, oder nimm die Kommandozeile: bouncelab analyze.
 
 page-faults-setting-what = Eine Einstellung widerspricht den anderen.
 page-faults-setting-do = Siehe unten bei den Einstellungen.
@@ -283,6 +287,7 @@ page-setup-reset = Zurücksetzen
 
 page-keep-title = Aufheben
 page-keep-keep = Diesen Versuch aufheben
+page-keep-long-sound = Der Ton dauert länger als eine halbe Stunde: Nur der Versuch wird behalten, die Datei nicht.
 page-keep-kept = Aufgehoben als „{ $name }“.
 page-keep-name = Name
 page-keep-name-hint = zum Beispiel: Anna, erster Versuch
@@ -544,7 +549,7 @@ page-reason-times-uneven = Sie kommt { $interval_s } s nach der Zeile davor, im 
 page-reason-times-sampled = Das ist eine Tabelle mit { $rows } Abtastwerten, { $rate_hz } in der Sekunde, und keine Liste von Aufprallzeiten; Ton braucht mindestens { $min_hz } in der Sekunde. Nenne die Zeiten der Aufpralle.
 page-reason-times-positions = Das sind Orte über der Zeit ({ $found }) und keine Aufprallzeiten. Öffne die Aufnahme oder nenne die Zeiten der Aufpralle.
 page-reason-times-several-drops = Es gibt mehrere Spalten mit Zeiten ({ $found }) und { $rows } Zeilen. Eine Liste hat einen Versuch: eine Spalte mit Zeiten oder eine Zeile mit Stopps.
-page-reason-times-no-rate = { $rows } Abtastwerte ohne Zeiten, keine Liste von Aufprallzeiten: Speichere den Ton als WAV, oder füge eine Spalte mit Zeiten hinzu.
+page-reason-times-no-rate = { $rows } Abtastwerte ohne Zeiten, keine Liste von Aufprallzeiten: Speichere den Ton als WAV, füge eine Spalte mit Zeiten hinzu, oder öffne sie im Labor und gib ihre Abtastrate an.
 page-reason-times-no-order = { $number } folgt auf { $before }. Zahlen ohne Überschrift sind Aufprallzeiten, die steigen, oder Abstände, die fallen. Schreibe time_s oder interval_s darüber; Abtastwerte brauchen eine Spalte mit Zeiten.
 page-reason-times-not-interval = { $text } ist kein Abstand von einem Aufprall zum nächsten; er ist größer als 0 s.
 page-reason-times-not-layer = Das ist keine Ebene von Sonic Visualiser mit Punkten. Exportiere sie noch einmal (File > Export Annotation Layer).
@@ -561,7 +566,6 @@ page-reason-times-more-columns = Sie hat { $found } Spalten, die erste Zeile abe
 page-reason-times-missing = Die Zeit fehlt.
 page-reason-times-not-number = „{ $text }“ ist keine Zeit in Sekunden wie 0.125.
 page-reason-times-not-later = { $time_s } kommt nicht nach { $before_s }. Die Aufpralle gehören der Reihe nach.
-page-reason-too-large = Sie hat { $megabytes } MB.
 page-reason-too-long = Sie hat mehr als { $minutes } Minuten in { $channels ->
     [one] 1 Kanal
    *[other] { $channels } Kanälen

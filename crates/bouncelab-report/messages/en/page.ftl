@@ -36,6 +36,8 @@ page-lab-listen = Listen
 page-lab-stop = Stop
 page-lab-again = Listen again
 page-lab-open = open a file
+page-lab-rate = Sampling rate
+page-lab-rate-open = Read as sound
 page-lab-paste = paste times
 page-lab-demo = try the demo
 page-lab-open-label = Recording or list of impact times
@@ -154,9 +156,11 @@ page-faults-damaged-do = Copy or download it again. A file that a phone still wr
 
 page-faults-times-what = These times cannot be impact times.
 page-faults-times-do = Give one time in seconds on each line, in increasing order, with a comma or a point for decimals.
+page-faults-rate-what = The table does not state when its samples were taken.
+page-faults-rate-do = State the sampling rate: how many samples a second the device took, often 44100 or 48000.
 
 page-faults-huge-what = The file is too large for a browser.
-page-faults-huge-do = Up to 500 MB, and some forty minutes of sound. Cut it to the minutes with the drop, or use the command line: bouncelab analyze.
+page-faults-huge-do = Up to two hours of sound in two channels, or four in one. Cut it to the minutes with the drop, or use the command line: bouncelab analyze.
 
 page-faults-setting-what = A setting contradicts the others.
 page-faults-setting-do = See below, at the settings.
@@ -285,6 +289,7 @@ page-setup-reset = Reset
 
 page-keep-title = Keep
 page-keep-keep = Keep this drop
+page-keep-long-sound = The sound is longer than half an hour: only the drop is kept, and its file is not.
 page-keep-kept = Kept as “{ $name }”.
 page-keep-name = Name
 page-keep-name-hint = for example: Anna, first try
@@ -546,7 +551,7 @@ page-reason-times-uneven = It is { $interval_s } s after the row before, but row
 page-reason-times-sampled = It is a table of { $rows } samples, { $rate_hz } a second, and no list of impact times; sound needs at least { $min_hz } a second. List the times of the impacts.
 page-reason-times-positions = It holds positions over time ({ $found }) and no impact times. Open the recording, or list the times of the impacts.
 page-reason-times-several-drops = It has several columns of times ({ $found }) and { $rows } rows. A list has one drop: one column of times, or one row of stops.
-page-reason-times-no-rate = { $rows } samples without times, and no list of impact times: save the sound as WAV, or add a column of times.
+page-reason-times-no-rate = { $rows } samples without times, and no list of impact times: save the sound as WAV, add a column of times, or open it in the laboratory and state its sampling rate.
 page-reason-times-no-order = { $number } follows { $before }. Numbers without a heading are impact times, which increase, or intervals, which decrease. Write time_s or interval_s above them; samples need a column of times.
 page-reason-times-not-interval = { $text } is no interval from one impact to the next, which is above 0 s.
 page-reason-times-not-layer = It is not a layer of Sonic Visualiser with points. Export it again (File > Export Annotation Layer).
@@ -563,7 +568,6 @@ page-reason-times-more-columns = It has { $found } columns, but the first line h
 page-reason-times-missing = The time is missing.
 page-reason-times-not-number = “{ $text }” is not a time in seconds, such as 0.125.
 page-reason-times-not-later = { $time_s } does not come after { $before_s }. List the impacts in order.
-page-reason-too-large = It has { $megabytes } MB.
 page-reason-too-long = It has more than { $minutes } minutes in { $channels ->
     [one] 1 channel
    *[other] { $channels } channels

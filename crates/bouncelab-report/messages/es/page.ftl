@@ -34,6 +34,8 @@ page-lab-listen = Escuchar
 page-lab-stop = Parar
 page-lab-again = Escuchar otra vez
 page-lab-open = abrir un archivo
+page-lab-rate = Frecuencia de muestreo
+page-lab-rate-open = Leer como sonido
 page-lab-paste = pegar tiempos
 page-lab-demo = ver un ejemplo
 page-lab-open-label = Grabación o lista de tiempos de impacto
@@ -155,9 +157,11 @@ page-faults-damaged-do = Cópialo o descárgalo otra vez. Un archivo que un tel�
 
 page-faults-times-what = Estos tiempos no pueden ser tiempos de impacto.
 page-faults-times-do = Da un tiempo en segundos por línea, en orden creciente, con coma o punto decimal.
+page-faults-rate-what = La tabla no dice cuándo se tomaron las muestras.
+page-faults-rate-do = Indica la frecuencia de muestreo: cuántas muestras por segundo tomó el dispositivo, a menudo 44100 o 48000.
 
 page-faults-huge-what = El archivo es demasiado grande para un navegador.
-page-faults-huge-do = Hasta 500 MB, y unos cuarenta minutos de sonido. Córtalo a los minutos del ensayo, o usa la línea de comandos: bouncelab analyze.
+page-faults-huge-do = Hasta dos horas de sonido en dos canales, o cuatro en uno. Córtalo a los minutos del ensayo, o usa la línea de comandos: bouncelab analyze.
 
 page-faults-setting-what = Un ajuste contradice a los demás.
 page-faults-setting-do = Mira abajo, en los ajustes.
@@ -286,6 +290,7 @@ page-setup-reset = Restablecer
 
 page-keep-title = Guardar
 page-keep-keep = Guardar este ensayo
+page-keep-long-sound = El sonido dura más de media hora: solo se guarda el ensayo, no el archivo.
 page-keep-kept = Guardado como «{ $name }».
 page-keep-name = Nombre
 page-keep-name-hint = por ejemplo: Anna, primer ensayo
@@ -547,7 +552,7 @@ page-reason-times-uneven = Está { $interval_s } s después de la línea anterio
 page-reason-times-sampled = Es una tabla de { $rows } muestras, { $rate_hz } por segundo, y no una lista de tiempos de impacto; el sonido necesita al menos { $min_hz } por segundo. Indica los tiempos de los impactos.
 page-reason-times-positions = Son posiciones en el tiempo ({ $found }) y no tiempos de impacto. Abre la grabación o indica los tiempos de los impactos.
 page-reason-times-several-drops = Hay varias columnas de tiempos ({ $found }) y { $rows } filas. Una lista tiene un solo ensayo: una columna de tiempos o una fila de paradas.
-page-reason-times-no-rate = { $rows } muestras sin tiempos, y no una lista de tiempos de impacto: guarda el sonido como WAV, o añade una columna de tiempos.
+page-reason-times-no-rate = { $rows } muestras sin tiempos, y no una lista de tiempos de impacto: guarda el sonido como WAV, añade una columna de tiempos, o ábrelo en el laboratorio e indica su frecuencia de muestreo.
 page-reason-times-no-order = { $number } sigue a { $before }. Los números sin título son tiempos de impacto, que crecen, o intervalos, que decrecen. Escribe time_s o interval_s encima; las muestras necesitan una columna de tiempos.
 page-reason-times-not-interval = { $text } no es un intervalo de un impacto al siguiente, que es mayor que 0 s.
 page-reason-times-not-layer = No es una capa de Sonic Visualiser con puntos. Expórtala otra vez (File > Export Annotation Layer).
@@ -564,7 +569,6 @@ page-reason-times-more-columns = Tiene { $found } columnas, pero la primera lín
 page-reason-times-missing = Falta el tiempo.
 page-reason-times-not-number = «{ $text }» no es un tiempo en segundos, como 0.125.
 page-reason-times-not-later = { $time_s } no viene después de { $before_s }. Pon los impactos en orden.
-page-reason-too-large = Tiene { $megabytes } MB.
 page-reason-too-long = Tiene más de { $minutes } minutos en { $channels ->
     [one] 1 canal
    *[other] { $channels } canales

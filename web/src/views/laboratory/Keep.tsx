@@ -12,6 +12,7 @@ import { engine } from '../../state/engine.ts';
 import { keepDrop } from '../../state/keeping.ts';
 import { lesson, pupil } from '../../state/lesson.ts';
 import { settings } from '../../state/settings.ts';
+import { isWhole } from '../../state/sound.ts';
 import { analysed, chosenDrop, drop, edits, workspace } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 import { DropLink } from './DropLink.tsx';
@@ -115,6 +116,7 @@ function KeepForm({ onName }: { readonly onName: (name: string) => void }) {
           </button>
         </span>
       </div>
+      {!isWhole.value && <p class="small soft">{text('page-keep-long-sound')}</p>}
       <p role="status" class="small">
         {attempt && attempt.name !== null && (
           <>

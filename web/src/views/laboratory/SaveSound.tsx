@@ -1,11 +1,12 @@
 import { fileName, save } from '../../app/save.ts';
+import { isWhole } from '../../state/sound.ts';
 import { workspace } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 
-/** Saves the loaded sound. */
+/** Saves the loaded sound; a longer one is a file already. */
 export function SaveSound() {
   const loaded = workspace.value;
-  if (!loaded?.pyramid) return null;
+  if (!loaded?.pyramid || !isWhole.value) return null;
   return (
     <button
       type="button"

@@ -24,18 +24,18 @@ export function Spectrogram() {
     const element = canvas.current;
     const loaded = workspace.peek();
     if (!element || !loaded) return undefined;
-    let current = true;
+    const current = new AbortController();
     const waiting = setTimeout(async () => {
       const columns = Math.min(1200, Math.max(1, Math.round(element.clientWidth)));
       const picture = await loaded.recording
-        .spectrogram(seen.startS, seen.endS, columns, ROWS)
+        .spectrogram(seen.startS, seen.endS, columns, ROWS, current.signal)
         .catch(() => null);
-      if (!current || !picture) return;
+      if (current.signal.aborted || !picture) return;
       paintSpectrogram(element, picture);
       setTopHz(picture.topHz);
     }, REST);
     return () => {
-      current = false;
+      current.abort();
       clearTimeout(waiting);
     };
   }, [seen, shown, isDark]);

@@ -3,6 +3,7 @@ import { unreadable } from '../../state/settings.ts';
 import { busy, fault, processing } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 import { Orphans } from './Orphans.tsx';
+import { RateForm } from './RateForm.tsx';
 import { SaveSound } from './SaveSound.tsx';
 
 /** What went wrong or needs attention. */
@@ -12,6 +13,7 @@ export function Troubles() {
       {fault.value && (
         <FaultNotice fault={fault.value}>
           {(fault.value.key === 'full' || fault.value.key === 'unavailable') && <SaveSound />}
+          {fault.value.key === 'rate' && <RateForm />}
         </FaultNotice>
       )}
       {processing.value.length > 0 && (

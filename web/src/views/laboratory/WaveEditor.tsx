@@ -1,6 +1,6 @@
 import { playheadS, playing } from '../../sound/player.ts';
 import * as editing from '../../state/editing.ts';
-import { amplitude, playView } from '../../state/sound.ts';
+import { amplitude, part, playView } from '../../state/sound.ts';
 import { cursorS, marks, selected, view, workspace } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 import { Overview } from '../../wave/Overview.tsx';
@@ -36,6 +36,7 @@ export function WaveEditor() {
         <>
           <Waveform
             pyramid={pyramid}
+            part={part}
             durationS={durationS}
             marks={marks.value}
             view={view}
