@@ -22,17 +22,30 @@ const UV: &str = "uv==0.13.9";
 /// The interpreters that must pass all tests with the same wheel; the first that is there builds it.
 const VERSIONS: [&str; 3] = ["3.11", "3.12", "3.13"];
 
+/// The interpreter without a global lock, which takes a wheel of its own.
+const FREE_THREADED: &str = "3.14t";
+
 /// What builds and checks the package, pinned; the other interpreters take the second list.
 const REQUIREMENTS: &str = "requirements-test.txt";
 const REQUIREMENTS_OF_OTHERS: &str = "requirements-other.txt";
 
+/// Of that list, what there is for the free-threaded interpreter.
+const REQUIREMENTS_OF_FREE_THREADED: &str = "requirements-free-threaded.txt";
+
+/// What builds a wheel that shares compiled dependencies with the checks.
+const SHARED: &[&str] = &["--features", "shared-build"];
+
 /// Programs of others that are not written in Python: `PyPI` has them compiled.
 const PROGRAMS: &str = "requirements-programs.txt";
 
-/// The task: the wheel for users.
+/// The task: the wheel for users, and that for the free-threaded interpreter where there is one.
 pub(crate) fn run(_: &[String]) -> Result {
     let wheel = released_wheel()?;
     println!("built {}", wheel.display());
+    if let Some(python) = interpreter(FREE_THREADED) {
+        let wheel = first_venv()?.wheel_for(&python, "free-threaded", "python", &[])?;
+        println!("built {}", wheel.display());
+    }
     Ok(())
 }
 
@@ -161,7 +174,7 @@ pub(crate) fn check() -> Result {
         let types = threads.spawn(|| venv.check_types());
         let tests = venv.test().and_then(|()| {
             others.iter().try_for_each(|(_, python)| {
-                let other = venv.other(python)?;
+                let other = venv.other(python, REQUIREMENTS_OF_OTHERS)?;
                 other.take(&wheel)?;
                 other.test()
             })
@@ -179,6 +192,17 @@ pub(crate) fn check() -> Result {
         .arg(&first.1)
         .arg("--from");
     run_command(without_installing.arg(&wheel).args(["bouncelab", "paper"]))?;
+    match interpreter(FREE_THREADED) {
+        Some(python) => {
+            let wheel = venv.wheel_for(&python, "free-threaded-dev", "dev", SHARED)?;
+            let other = venv.other(&python, REQUIREMENTS_OF_FREE_THREADED)?;
+            other.take(&wheel)?;
+            other.test()?;
+        }
+        None => skip(&format!(
+            "the tests with free-threaded Python {FREE_THREADED}, which is missing"
+        )),
+    }
     let missing = VERSIONS
         .iter()
         .filter(|&version| found.iter().all(|(it, _)| it != version));
@@ -245,7 +269,7 @@ impl Venv {
     }
 
     /// With what the tests take, of another interpreter.
-    fn other(&self, python: &Path) -> Result<Self> {
+    fn other(&self, python: &Path, requirements: &str) -> Result<Self> {
         let venv = Self {
             folder: folder_of(python),
             uv: self.uv.clone(),
@@ -253,7 +277,7 @@ impl Venv {
         let mut make = Command::new(&venv.uv);
         make.args(["venv", "--quiet", "--clear", "--python"]);
         run_command(make.arg(python).arg(&venv.folder))?;
-        venv.install_requirements(REQUIREMENTS_OF_OTHERS)?;
+        venv.install_requirements(requirements)?;
         Ok(venv)
     }
 
@@ -295,18 +319,29 @@ impl Venv {
 
     /// Builds the wheel of the checks, which shares compiled dependencies with them.
     pub(crate) fn shared_wheel(&self) -> Result<PathBuf> {
-        self.wheel("dev", &["--features", "shared-build"])
+        self.wheel("dev", SHARED)
     }
 
-    /// Builds the wheel.
+    /// Builds the wheel that every interpreter with a global lock takes.
     fn wheel(&self, profile: &str, options: &[&str]) -> Result<PathBuf> {
-        let folder = target().join("wheels").join(profile);
+        self.wheel_for(&self.program("python"), profile, profile, options)
+    }
+
+    /// Builds the wheel for an interpreter, into a folder of this name.
+    fn wheel_for(
+        &self,
+        python: &Path,
+        name: &str,
+        profile: &str,
+        options: &[&str],
+    ) -> Result<PathBuf> {
+        let folder = target().join("wheels").join(name);
         fs::remove_dir_all(&folder).ok();
         notices::write(&package())?;
         let mut build = self.tool("maturin");
         build.args(["build", "--profile", profile, "--compression-level", "9"]);
         build.arg("--interpreter");
-        build.arg(self.program("python")).arg("--out").arg(&folder);
+        build.arg(python).arg("--out").arg(&folder);
         build.args(options);
         build.env("SOURCE_DATE_EPOCH", release::EPOCH);
         run_command(build.env("CARGO_TARGET_DIR", target()))?;

@@ -164,7 +164,7 @@ fn confine(memory_mb: u64) -> Result<(), Failure> {
     use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
 
     // A stricter limit that was set outside remains.
-    let most = memory_mb << 20;
+    let most = mapped_data() + (memory_mb << 20);
     let most = getrlimit(Resource::Data)
         .maximum
         .map_or(most, |of_others| of_others.min(most));
@@ -185,6 +185,19 @@ fn confine(memory_mb: u64) -> Result<(), Failure> {
         .and_then(RulesetCreated::restrict_self)
         .map_err(|reason| Failure::Input(format!("cannot give up writing: {reason}")))?;
     Ok(())
+}
+
+/// Bytes of data that this process has mapped. An interpreter that runs the program as a module reserves up to a gigabyte,
+/// which it does not use. 0 where the system does not tell.
+#[cfg(target_os = "linux")]
+fn mapped_data() -> u64 {
+    let kib = std::fs::read_to_string("/proc/self/status")
+        .ok()
+        .and_then(|status| {
+            let size = status.lines().find_map(|line| line.strip_prefix("VmData:"));
+            size?.trim().trim_end_matches(" kB").parse::<u64>().ok()
+        });
+    kib.unwrap_or(0) << 10
 }
 
 /// Has the system end this process after further `seconds` of processor time.
