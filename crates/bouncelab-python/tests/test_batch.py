@@ -256,6 +256,12 @@ def test_a_recording_has_one_result(folder: Path, results: Path, tmp_path: Path)
         batch.study(tmp_path)
 
 
+def test_another_compression_is_named(results: Path, tmp_path: Path) -> None:
+    parquet.write_table(parquet.read_table(results), tmp_path / "rows.parquet", compression="zstd")
+    with pytest.raises(bl.SessionError, match="compressed with ZSTD"):
+        batch.study(tmp_path)
+
+
 @pytest.mark.parametrize(
     "wrong",
     [

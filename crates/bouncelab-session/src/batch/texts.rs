@@ -8,7 +8,7 @@ use std::io::{self, BufReader, Read};
 use std::path::Path;
 
 use bytes::Bytes;
-use parquet::basic::{Encoding, Type};
+use parquet::basic::{Compression, Encoding, Type};
 use parquet::column::page::{Page, PageMetadata, PageReader};
 use parquet::column::reader::ColumnReaderImpl;
 use parquet::data_type::{ByteArray, ByteArrayType};
@@ -166,6 +166,14 @@ impl Texts {
         let column = schema.column(index);
         if column.physical_type() != Type::BYTE_ARRAY {
             return Ok(None);
+        }
+        let codec = group.metadata().column(index).compression();
+        if !matches!(codec, Compression::UNCOMPRESSED | Compression::SNAPPY) {
+            let problem = format!(
+                "is compressed with {codec}; only SNAPPY and no compression are read, which Spark writes with \
+                 spark.sql.parquet.compression.codec=snappy"
+            );
+            return Err(ParquetError::General(problem));
         }
         let pages = Pages(group.get_column_page_reader(index)?);
         Ok(Some(Self {
