@@ -50,6 +50,13 @@ pub enum Warning {
         /// Duration of all of them together.
         blank_s: f64,
     },
+    /// Samples jump by a power of two and back: bits of the file were flipped.
+    Flipped {
+        /// Number of samples, in all channels together.
+        samples: u64,
+        /// Time of the first one.
+        first_s: f64,
+    },
     /// The checksum of the file is not that of the decoded sound: somewhere it differs from the encoded sound.
     Altered {
         /// Duration of the sound.
@@ -140,6 +147,9 @@ impl Warning {
                 .with("places", places)
                 .with("first_s", first_s)
                 .with("blank_s", blank_s),
+            Self::Flipped { samples, first_s } => new(Code::BitsFlipped)
+                .with("samples", samples)
+                .with("first_s", first_s),
             Self::Altered { read_s } => new(Code::ChecksumWrong)
                 .with("start_s", 0.0)
                 .with("end_s", read_s),

@@ -244,6 +244,8 @@ codes! {
     ClockLost = "clock-lost", Warning, ["places", "first_s"];
     /// The sound is exactly zero for a while, and not elsewhere: it may have been lost or overwritten.
     SoundBlank = "sound-blank", Warning, ["places", "first_s", "blank_s"];
+    /// Samples jump by a power of two and back with the next one, as if bits of the file had been flipped.
+    BitsFlipped = "bits-flipped", Warning, ["samples", "first_s"];
     /// The decoded sound does not match the checksum or the counts of the file, somewhere in this interval.
     ChecksumWrong = "checksum-wrong", Warning, ["start_s", "end_s"];
     /// The rate or number of channels changes; the recording was read up to there.

@@ -6,6 +6,7 @@ mod blank;
 mod chunks;
 mod codec;
 mod content;
+mod flips;
 mod framing;
 mod input;
 mod lost;
@@ -29,6 +30,7 @@ use self::blank::Blanks;
 use self::chunks::{Header, RateDoubt};
 use self::codec::{Layout, MAX_CHANNELS};
 use self::content::Content;
+use self::flips::Flips;
 use self::input::MediaInput;
 use self::lost::Lost;
 use self::presentation::Presentation;
@@ -109,6 +111,7 @@ pub struct SoundReader {
     silence: Vec<Vec<f32>>,
     gaps: Vec<Gap>,
     blanks: Blanks,
+    flips: Flips,
     /// Number of frames that were returned.
     presented: u64,
     ended: bool,
@@ -292,6 +295,7 @@ impl SoundReader {
             silence: vec![vec![0.0; MAX_BLOCK_FRAMES]; layout.channels],
             gaps: Vec::new(),
             blanks: Blanks::default(),
+            flips: Flips::default(),
             planes,
             planes_start: 0,
             presented: 0,
@@ -476,6 +480,7 @@ impl SoundReader {
         self.pending = at..at + self.planes[0].len() as u64;
         if self.track.is_plain() {
             self.blanks.take(at, &self.planes);
+            self.flips.take(at, &self.planes);
         }
     }
 
@@ -507,6 +512,10 @@ impl SoundReader {
                 first_s: self.presented_s(first),
                 blank_s: self.seconds(frames),
             });
+        }
+        if let Some((samples, first)) = self.flips.suspect() {
+            let first_s = self.presented_s(first);
+            self.warnings.push(Warning::Flipped { samples, first_s });
         }
         let read_s = self.presented_s(at);
         let announced = self.track.announced(self.layout, &self.presentation);

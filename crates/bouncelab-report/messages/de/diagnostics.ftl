@@ -41,6 +41,7 @@ diagnostic-samples-not-finite = { $samples ->
     [one] 1 Abtastwert war keine Zahl und wurde zu null, bei { $first_s } s.
    *[other] { $samples } Abtastwerte waren keine Zahlen und wurden zu null, der erste bei { $first_s } s.
   }
+diagnostic-bits-flipped = { $samples } Abtastwerte springen um eine Zweierpotenz und zurück, der erste bei { $first_s } s: In der Datei sind Bits vertauscht, Aufpralle können fehlen oder falsch sein.
 diagnostic-sound-missing = { $places ->
     [one] { $missing_s } s Ton fehlen bei { $first_s } s
    *[other] { $missing_s } s Ton fehlen an { $places } Stellen, der ersten bei { $first_s } s

@@ -44,6 +44,7 @@ diagnostic-samples-not-finite = { $samples ->
     [one] 1 sample was not a number
    *[other] { $samples } samples were not numbers
   } and replaced by zero, the first at { $first_s } s.
+diagnostic-bits-flipped = { $samples } samples jump by a power of two and back, the first at { $first_s } s: bits of the file were flipped, and impacts may be missing or wrong.
 diagnostic-sound-missing = { $places ->
     [one] { $missing_s } s of sound are missing at { $first_s } s
    *[other] { $missing_s } s of sound are missing in { $places } places, the first at { $first_s } s

@@ -41,6 +41,7 @@ diagnostic-samples-not-finite = { $samples ->
     [one] 1 muestra no era un número y se sustituyó
    *[other] { $samples } muestras no eran números y se sustituyeron
   } por cero, la primera en { $first_s } s.
+diagnostic-bits-flipped = { $samples } muestras saltan una potencia de dos y vuelven, la primera en { $first_s } s: hay bits alterados en el archivo, y pueden faltar impactos o ser falsos.
 diagnostic-sound-missing = { $places ->
     [one] Faltan { $missing_s } s de sonido en { $first_s } s
    *[other] Faltan { $missing_s } s de sonido en { $places } lugares, el primero en { $first_s } s

@@ -102,6 +102,7 @@ pub fn is_warned(recording: &Recording) -> bool {
                 | Code::SoundMissing
                 | Code::ClockLost
                 | Code::SoundBlank
+                | Code::BitsFlipped
                 | Code::SamplesNotFinite
                 | Code::ChecksumWrong
                 | Code::RateInDoubt
