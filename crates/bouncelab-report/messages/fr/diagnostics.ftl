@@ -41,7 +41,7 @@ diagnostic-samples-not-finite = { $samples ->
     [one] { $samples } échantillon n’était pas un nombre et a été remplacé
    *[other] { $samples } échantillons n’étaient pas des nombres et ont été remplacés
   } par zéro, le premier à { $first_s } s.
-diagnostic-bits-flipped = { $samples } échantillons sautent d’une puissance de deux et reviennent, le premier à { $first_s } s : des bits du fichier sont altérés, des impacts peuvent manquer ou être faux.
+diagnostic-bits-flipped = { $samples } échantillons sautent d’une puissance de deux et reviennent, le premier à { $first_s } s : des bits du fichier sont altérés, des impacts peuvent manquer ou être faux.
 diagnostic-sound-missing = { $places ->
     [one] Il manque { $missing_s } s de son à { $first_s } s
    *[other] Il manque { $missing_s } s de son en { $places } endroits, le premier à { $first_s } s
