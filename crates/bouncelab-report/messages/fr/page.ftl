@@ -158,10 +158,10 @@ page-faults-damaged-do = Copie-le ou télécharge-le à nouveau. Un fichier qu�
 page-faults-times-what = Ces temps ne peuvent pas être des temps d’impact.
 page-faults-times-do = Donne un temps en secondes par ligne, dans l’ordre croissant, avec une virgule ou un point décimal.
 page-faults-rate-what = Le tableau ne dit pas quand ses échantillons ont été pris.
-page-faults-rate-do = Indique la fréquence d’échantillonnage : combien d’échantillons par seconde l’appareil a pris, souvent 44100 ou 48000.
+page-faults-rate-do = Indique la fréquence d’échantillonnage : combien d’échantillons par seconde l’appareil a pris, souvent 44100 ou 48000.
 
 page-faults-huge-what = Le fichier est trop grand pour un navigateur.
-page-faults-huge-do = Jusqu’à deux heures de son en deux canaux, ou quatre en un seul. Coupe-le aux minutes de l’essai, ou utilise la ligne de commande : bouncelab analyze.
+page-faults-huge-do = Jusqu’à deux heures de son en deux canaux, ou quatre en un seul. Coupe-le aux minutes de l’essai, ou utilise la ligne de commande : bouncelab analyze.
 
 page-faults-setting-what = Un réglage contredit les autres.
 page-faults-setting-do = Vois ci-dessous, aux réglages.
@@ -290,7 +290,7 @@ page-setup-reset = Réinitialiser
 
 page-keep-title = Conserver
 page-keep-keep = Conserver cet essai
-page-keep-long-sound = Le son dure plus d’une demi-heure : seul l’essai est gardé, pas le fichier.
+page-keep-long-sound = Le son dure plus d’une demi-heure : seul l’essai est gardé, pas le fichier.
 page-keep-kept = Conservé sous « { $name } ».
 page-keep-name = Nom
 page-keep-name-hint = par exemple : Anna, premier essai
@@ -552,7 +552,7 @@ page-reason-times-uneven = Elle vient { $interval_s } s après la précédente, 
 page-reason-times-sampled = C’est un tableau de { $rows } échantillons, { $rate_hz } par seconde, et non une liste de temps d’impact ; il faut au son au moins { $min_hz } échantillons par seconde. Donne les temps des impacts.
 page-reason-times-positions = Ce sont des positions au cours du temps ({ $found }) et non des temps d’impact. Ouvre l’enregistrement ou donne les temps des impacts.
 page-reason-times-several-drops = Il y a plusieurs colonnes de temps ({ $found }) et { $rows } lignes. Une liste a un seul essai : une colonne de temps, ou une ligne d’arrêts.
-page-reason-times-no-rate = { $rows } échantillons sans temps, et non une liste de temps d’impact : enregistre le son en WAV, ajoute une colonne de temps, ou ouvre-le dans le laboratoire et indique sa fréquence d’échantillonnage.
+page-reason-times-no-rate = { $rows } échantillons sans temps, et non une liste de temps d’impact : enregistre le son en WAV, ajoute une colonne de temps, ou ouvre-le dans le laboratoire et indique sa fréquence d’échantillonnage.
 page-reason-times-no-order = { $number } suit { $before }. Des nombres sans titre sont des temps d’impact, qui croissent, ou des intervalles, qui décroissent. Écris time_s ou interval_s au-dessus ; des échantillons demandent une colonne de temps.
 page-reason-times-not-interval = { $text } n’est pas un intervalle d’un impact au suivant, qui dépasse 0 s.
 page-reason-times-not-layer = Ce n’est pas une couche de Sonic Visualiser avec des points. Exporte-la à nouveau (File > Export Annotation Layer).
