@@ -1,5 +1,5 @@
 /** Phones and browsers as they are: what the page says of them, and what it keeps in spite of them. */
-import { appendFileSync, cpSync, readFileSync, rmSync } from 'node:fs';
+import { appendFileSync, cpSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, test } from 'vitest';
 import type { Preparation } from './harness/browser.ts';
@@ -143,6 +143,23 @@ test('a newer page does not throw away what is open', async () => {
   await page.waitForFunction(() => location.hash.includes('drop=') === false);
   await page.locator('#drop-name[value="own.txt"]').waitFor();
   expect(await answers(page)).toEqual(listed);
+  await page.context().close();
+  await site.close();
+});
+
+test('a page beside the book links to it, and no other does', async () => {
+  const { page } = await open(here.browser, here.url);
+  expect(await page.getByRole('link', { name: 'Tutorial and documents' }).count()).toBe(0);
+  const copy = join(folder(), 'with-book');
+  cpSync(join(import.meta.dirname, '../dist'), copy, { recursive: true });
+  rmSync(join(copy, 'index.html.br'));
+  const index = join(copy, 'index.html');
+  const link = '<link rel="help" href="./book/" /></head>';
+  writeFileSync(index, readFileSync(index, 'utf8').replace('</head>', link));
+  const site = await Site.open(copy);
+  await page.goto(site.url);
+  const book = page.getByRole('link', { name: 'Tutorial and documents' });
+  expect(await book.evaluate((it) => (it as HTMLAnchorElement).href)).toBe(`${site.url}book/`);
   await page.context().close();
   await site.close();
 });

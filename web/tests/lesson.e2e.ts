@@ -49,7 +49,7 @@ test('a pupil is asked for name, ball, surface and height, and hands in; the tea
   });
   await pupil.getByRole('radio').nth(1).waitFor();
   expect(await pupil.getByRole('radio').count()).toBe(2);
-  for (const gone of ['paste times', 'try the demo', 'When the ball rests'])
+  for (const gone of ['paste times', 'try the demo', 'Speech and vibration'])
     expect(await pupil.getByText(gone).count(), gone).toBe(0);
   expect(await overflow(pupil)).toBeLessThanOrEqual(0);
   expect(await violations(pupil)).toEqual([]);

@@ -133,6 +133,20 @@ test('what is wrong with a file is said in the language of the page', async () =
   await notice.getByText('Zeile 3: „zwei“ ist keine Zeit in Sekunden wie 0.125.').waitFor();
 });
 
+test('samples without times are sound at the rate that is stated', async () => {
+  const on = await page();
+  const { rateHz, samples } = samplesOf(recording);
+  const column = Buffer.from(Array.from(samples, (sample) => sample.toFixed(5)).join('\n'));
+  await on
+    .locator('input[type=file]')
+    .setInputFiles({ name: 'samples.txt', mimeType: 'text/plain', buffer: column });
+  await on.getByText('The table does not state when its samples were taken.').waitFor();
+  await on.getByLabel('Sampling rate').fill(String(rateHz));
+  await on.getByRole('button', { name: 'Read as sound' }).click();
+  await isTrue(on);
+  expect(await on.getByRole('alert').count()).toBe(0);
+});
+
 /** The beginning of five hours of sound, which its header states. */
 function day(): Buffer {
   const [rate, bytes] = [48_000, 5 * 3600 * 48_000];

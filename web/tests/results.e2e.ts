@@ -59,12 +59,12 @@ const line = (page: Page, words: RegExp) => page.locator('.settings .line', { ha
 test('a shared set-up arrives if the reader wants it, and outlives the page', async () => {
   const { page } = await open(here.browser, `${here.url}#lab?${tennis}`);
   await page
-    .getByText(/^This link states: Ball: tennis · Air: 25 °C, 1013 hPa\. Your own/)
+    .getByText(/^This link states: Ball: tennis · Air: 25\s°C, 1013\shPa\. Your own/)
     .waitFor();
   await page.getByRole('button', { name: 'use it for my drops' }).click();
   await page.getByRole('radio', { name: 'tennis', checked: true, exact: true }).waitFor();
   await openTimes(page);
-  await line(page, /Ball: tennis · Air: 25 °C/).waitFor();
+  await line(page, /Ball: tennis · Air: 25\s°C/).waitFor();
   await page.locator('.settings summary').click();
   // Typed, because Firefox takes the Enter as a change only of what was typed.
   await page.getByLabel('Temperature').fill('');
@@ -74,7 +74,7 @@ test('a shared set-up arrives if the reader wants it, and outlives the page', as
   await page.goto('about:blank');
   await page.goto(here.url);
   await openTimes(page);
-  await line(page, /Ball: tennis · Air: 10.5 °C/).waitFor();
+  await line(page, /Ball: tennis · Air: 10.5\s°C/).waitFor();
   await page.context().close();
 });
 
@@ -93,7 +93,7 @@ const LEAKS: readonly [string, (page: Page) => Promise<void>][] = [
     async (page) => {
       await page.goto(`${here.url}#simulate?body=moon`);
       await page.getByRole('button', { name: 'Analyse its sound' }).click();
-      await page.getByText(/^Analysed with: vacuum · g 1.62.m\/s²\.$/).waitFor();
+      await page.getByText(/^Analysed with: vacuum · g.1.62.m\/s²\.$/).waitFor();
     },
   ],
   ['the demo', tryDemo],
@@ -146,9 +146,9 @@ test.each(LEAKS)('%s changes nothing of the next drop', async (_, before) => {
 test('what is unusual is reset beside the answer', async () => {
   const { page } = await open(here.browser, here.url, {}, remembering('gravity=1.62&drag=none'));
   await openTimes(page);
-  await page.getByText(/^Analysed with: no air · g 1.62.m\/s²\.$/).waitFor();
+  await page.getByText(/^Analysed with: no air · g.1.62.m\/s²\.$/).waitFor();
   await page.getByRole('button', { name: 'Reset', exact: true }).click();
-  await line(page, /20 °C.*9.807/).waitFor();
+  await line(page, /20\s°C.*9.807/).waitFor();
   expect(await page.getByText(/^Analysed with/).count()).toBe(0);
   await page.context().close();
 });
@@ -182,12 +182,12 @@ test('a ball is asked for, chosen in the row or by its size and weight, and reme
   await expect.poll(async () => (await answers(page)).fell.value).not.toBe(fell.value);
   await page.locator('.balls').getByLabel('Diameter').pressSequentially('20');
   await page.locator('.balls').getByLabel('Diameter').press('Enter');
-  await line(page, /Ball: steel ball, 20 mm/).waitFor();
+  await line(page, /Ball: steel ball, 20\smm/).waitFor();
   await tap('other: size and weight');
   await page.locator('.balls').getByLabel('Diameter').pressSequentially('38');
   await page.locator('.balls').getByLabel('Mass').pressSequentially('2.5');
   await page.locator('.balls').getByLabel('Mass').press('Enter');
-  await line(page, /Ball: 2.5 g, 38 mm/).waitFor();
+  await line(page, /Ball: 2.5\sg, 38\smm/).waitFor();
   await settled(page);
   await page.goto('about:blank');
   await page.goto(here.url);

@@ -39,6 +39,7 @@ export function App() {
       <Header />
       <main id="main" ref={main} tabIndex={-1}>
         <div class="page">
+          <Newer />
           <EngineTrouble />
           {view === 'lab' && <Laboratory />}
           {view === 'simulate' && <Simulate />}
@@ -67,6 +68,22 @@ function EngineTrouble() {
   );
 }
 
+/** A newer page waits; what is open is kept. */
+function Newer() {
+  if (!newer.value || busy.value) return null;
+  return (
+    <p class="notice no-print" role="status">
+      {text('page-app-newer')}{' '}
+      <button type="button" class="quiet slim" onClick={() => void rescue().then(takeOver)}>
+        {text('page-app-reload')}
+      </button>
+    </p>
+  );
+}
+
+/** The book, where it lies beside the page and `index.html` says so. */
+const book = document.querySelector<HTMLLinkElement>('link[rel=help]')?.href;
+
 function Footer() {
   const version = catalogue.value?.version;
   return (
@@ -74,14 +91,7 @@ function Footer() {
       <div class="page">
         <span>{text('page-app-privacy')}</span>
         {version !== undefined && <span>{text('page-app-version', { version })}</span>}
-        {newer.value && !busy.value && (
-          <span role="status">
-            {text('page-app-newer')}{' '}
-            <button type="button" class="quiet slim" onClick={() => void rescue().then(takeOver)}>
-              {text('page-app-reload')}
-            </button>
-          </span>
-        )}
+        {book !== undefined && <a href={book}>{text('page-app-book')}</a>}
       </div>
     </footer>
   );

@@ -1,4 +1,5 @@
 import type { ComponentChildren } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
 import { SOUND_FORMATS } from '../lab/engine/types.ts';
 import type { Fault } from '../state/faults.ts';
 import { text } from '../text/language.ts';
@@ -13,8 +14,10 @@ interface Props {
 /** What happened and what to do, where the eye is. */
 export function FaultNotice({ fault, children }: Props) {
   const reason = fault.reason && reasonText(fault.reason);
+  const notice = useRef<HTMLDivElement>(null);
+  useEffect(() => notice.current?.scrollIntoView({ block: 'nearest' }), [fault]);
   return (
-    <div class="notice" role="alert">
+    <div ref={notice} class="notice" role="alert">
       <p>
         {fault.about !== undefined && <span class="soft">{fault.about}: </span>}
         <strong>{text(`page-faults-${fault.key}-what`)}</strong>

@@ -48,7 +48,7 @@ export async function openFile(file: File, rateHz?: number): Promise<void> {
   });
   const reason = fault.peek()?.reason;
   if (reason?.code === 'times' && reason.problem.code === 'no-rate') {
-    fault.value = { key: 'rate', reason, about: file.name };
+    fault.value = { key: 'rate', about: file.name };
     withoutRate.value = file;
   }
 }

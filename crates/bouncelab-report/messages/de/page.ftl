@@ -10,6 +10,7 @@ page-app-to-dark = Dunkel
 page-app-to-light = Hell
 page-app-privacy = Nichts verlässt dieses Gerät: kein Konto, kein Server, läuft auch ohne Netz.
 page-app-version = bouncelab { $version }
+page-app-book = Anleitung und Dokumente
 page-app-engine-failed = Das Labor konnte nicht starten.
 page-app-engine-failed-hint = Der Browser hat den WebAssembly-Teil nicht geladen oder nicht ausgeführt. Lade die Seite neu; hilft das nicht, nimm einen aktuellen Firefox, Chrome, Edge oder Safari.
 page-app-newer = Eine neuere Fassung dieser Seite liegt bereit.
@@ -93,7 +94,7 @@ page-lab-interrupted-hint = Sie ist aufgehoben, höchstens die letzte Sekunde od
 page-lab-interrupted-open = Öffnen
 page-lab-interrupted-drop = Löschen
 
-page-rest-title = Wenn der Ball ruht
+page-rest-title = Sprache und Vibration, wenn der Ball ruht
 page-rest-speech = Ergebnis vorlesen
 page-rest-vibration = Vibrieren
 page-rest-plus-minus = plus oder minus
@@ -438,7 +439,7 @@ page-drops-of-drops = { $count ->
     [one] von 1 Versuch
    *[other] von { $count } Versuchen
   }
-page-drops-scatter-sentence = Im Mittel behielt der Ball { $mean } seines Tempos. Von Versuch zu Versuch streute das um { $scatter }; jeder einzelne Versuch gibt ± { $inside } an.
+page-drops-scatter-sentence = Im Mittel behielt der Ball { $mean } seines Tempos. Von Versuch zu Versuch streute das um { $scatter }; jeder einzelne Versuch gibt ± { $inside } an.
 page-drops-csv = Tabelle speichern (CSV)
 page-drops-json = Alles speichern (JSON)
 page-drops-archive = Alles mit Ton speichern (ZIP)

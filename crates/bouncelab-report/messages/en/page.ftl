@@ -12,6 +12,7 @@ page-app-to-dark = Dark
 page-app-to-light = Light
 page-app-privacy = Nothing leaves this device: no account, no server, works offline.
 page-app-version = bouncelab { $version }
+page-app-book = Tutorial and documents
 page-app-engine-failed = The laboratory could not start.
 page-app-engine-failed-hint = The browser did not load or run the WebAssembly part. Reload the page; if that does not help, use a current Firefox, Chrome, Edge or Safari.
 page-app-newer = A newer version of this page is ready.
@@ -95,7 +96,7 @@ page-lab-interrupted-hint = It is kept, except perhaps for its last second or tw
 page-lab-interrupted-open = Open it
 page-lab-interrupted-drop = Delete it
 
-page-rest-title = When the ball rests
+page-rest-title = Speech and vibration, when the ball rests
 page-rest-speech = Speak the answer
 page-rest-vibration = Vibrate
 page-rest-plus-minus = plus or minus
@@ -440,7 +441,7 @@ page-drops-of-drops = { $count ->
     [one] of 1 drop
    *[other] of { $count } drops
   }
-page-drops-scatter-sentence = On average the ball kept { $mean } of its speed. The standard deviation between drops was { $scatter }; each single drop states ± { $inside }.
+page-drops-scatter-sentence = On average the ball kept { $mean } of its speed. The standard deviation between drops was { $scatter }; each single drop states ± { $inside }.
 page-drops-csv = Save the table (CSV)
 page-drops-json = Save all (JSON)
 page-drops-archive = Save all with sound (ZIP)

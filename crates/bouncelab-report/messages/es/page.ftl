@@ -10,6 +10,7 @@ page-app-to-dark = Oscuro
 page-app-to-light = Claro
 page-app-privacy = Nada sale de este dispositivo: sin cuenta, sin servidor, funciona sin conexión.
 page-app-version = bouncelab { $version }
+page-app-book = Tutorial y documentos
 page-app-engine-failed = El laboratorio no pudo arrancar.
 page-app-engine-failed-hint = El navegador no cargó o no ejecutó la parte en WebAssembly. Recarga la página; si no sirve, usa un Firefox, Chrome, Edge o Safari actual.
 page-app-newer = Hay una versión más nueva de esta página.
@@ -96,7 +97,7 @@ page-lab-interrupted-hint = Está guardada, salvo quizá el último segundo o lo
 page-lab-interrupted-open = Abrir
 page-lab-interrupted-drop = Eliminar
 
-page-rest-title = Cuando la pelota está en reposo
+page-rest-title = Voz y vibración, cuando la pelota está en reposo
 page-rest-speech = Decir el resultado
 page-rest-vibration = Vibrar
 page-rest-plus-minus = más o menos
@@ -441,7 +442,7 @@ page-drops-of-drops = { $count ->
     [one] de 1 ensayo
    *[other] de { $count } ensayos
   }
-page-drops-scatter-sentence = En promedio, la pelota conservó el { $mean } de su velocidad. La desviación típica entre ensayos fue { $scatter }; cada ensayo por separado indica ± { $inside }.
+page-drops-scatter-sentence = En promedio, la pelota conservó el { $mean } de su velocidad. La desviación típica entre ensayos fue { $scatter }; cada ensayo por separado indica ± { $inside }.
 page-drops-csv = Guardar la tabla (CSV)
 page-drops-json = Guardar todo (JSON)
 page-drops-archive = Guardar todo con sonido (ZIP)

@@ -10,6 +10,7 @@ page-app-to-dark = Sombre
 page-app-to-light = Clair
 page-app-privacy = Rien ne quitte cet appareil : ni compte, ni serveur ; fonctionne hors ligne.
 page-app-version = bouncelab { $version }
+page-app-book = Tutoriel et documents
 page-app-engine-failed = Le laboratoire n’a pas pu démarrer.
 page-app-engine-failed-hint = Le navigateur n’a pas chargé ou exécuté la partie WebAssembly. Recharge la page ; si cela n’aide pas, utilise un Firefox, Chrome, Edge ou Safari récent.
 page-app-newer = Une version plus récente de cette page est prête.
@@ -96,7 +97,7 @@ page-lab-interrupted-hint = Il est conservé, sauf peut-être la dernière secon
 page-lab-interrupted-open = Ouvrir
 page-lab-interrupted-drop = Supprimer
 
-page-rest-title = Quand la balle est au repos
+page-rest-title = Voix et vibration, quand la balle est au repos
 page-rest-speech = Dire le résultat
 page-rest-vibration = Vibrer
 page-rest-plus-minus = plus ou moins
@@ -441,7 +442,7 @@ page-drops-of-drops = { $count ->
     [one] de { $count } essai
    *[other] de { $count } essais
   }
-page-drops-scatter-sentence = En moyenne, la balle a gardé { $mean } de sa vitesse. L’écart-type entre essais est de { $scatter } ; chaque essai isolé annonce ± { $inside }.
+page-drops-scatter-sentence = En moyenne, la balle a gardé { $mean } de sa vitesse. L’écart-type entre essais est de { $scatter } ; chaque essai isolé annonce ± { $inside }.
 page-drops-csv = Enregistrer le tableau (CSV)
 page-drops-json = Enregistrer tout (JSON)
 page-drops-archive = Enregistrer tout avec le son (ZIP)

@@ -214,7 +214,9 @@ impl Writer<'_> {
             return Some(self.sentence("answer-line", &values));
         };
         let agrees = agree(&fit.restitution, &corrected) && agree(&fit.drop_height_m, &height);
-        values.push(("corrected", share(&corrected)));
+        // Without its uncertainty, which is that of the times alone: the correction takes the drag as known.
+        let corrected = Quantity::rounded(corrected.value, 4, Unit::Percent);
+        values.push(("corrected", corrected));
         let id = if agrees {
             "answer-line-agrees"
         } else {

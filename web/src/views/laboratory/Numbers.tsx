@@ -55,7 +55,7 @@ function Row({ row: { name, symbol, value, note } }: { readonly row: Reported })
       <dt>{`${name} ${symbol}`.trimEnd()}</dt>
       <dd>
         {unbroken(value)}
-        {note !== null && <small>{note}</small>}
+        {note !== null && <small>{note.replaceAll(' %', '\u00a0%')}</small>}
       </dd>
     </>
   );

@@ -13,7 +13,7 @@ export function RateForm() {
   if (!file) return null;
   return (
     <form
-      class="row"
+      class="stack"
       onSubmit={(event) => {
         event.preventDefault();
         if (rateHz !== undefined) void openFile(file, Math.round(rateHz));
@@ -27,9 +27,11 @@ export function RateForm() {
         max={MOST_HZ}
         onChange={setRateHz}
       />
-      <button type="submit" class="button">
-        {text('page-lab-rate-open')}
-      </button>
+      <div>
+        <button type="submit" class="button">
+          {text('page-lab-rate-open')}
+        </button>
+      </div>
     </form>
   );
 }

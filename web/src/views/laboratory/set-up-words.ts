@@ -20,8 +20,8 @@ export function ballInWords(settings: Settings): string {
   const { kind, mass_kg, diameter_m } = settings.ball ?? {};
   const words = [
     isOwnBall(settings) ? '' : ballName(kind ?? UNSTATED),
-    mass_kg === undefined ? '' : `${number(1e3 * mass_kg)} g`,
-    diameter_m === undefined ? '' : `${number(1e3 * diameter_m)} mm`,
+    mass_kg === undefined ? '' : `${number(1e3 * mass_kg)}\u00a0g`,
+    diameter_m === undefined ? '' : `${number(1e3 * diameter_m)}\u00a0mm`,
   ];
   return named('page-settings-ball', words.filter((word) => word !== '').join(', '));
 }
@@ -31,12 +31,12 @@ export function airInWords({ air }: Settings): string {
   if (drag === 'none') return text('page-settings-no-drag');
   if (density_kg_m3 === 0) return text('page-settings-vacuum');
   if (density_kg_m3 !== undefined)
-    return named('page-settings-air', `${number(density_kg_m3)} kg/m³`);
+    return named('page-settings-air', `${number(density_kg_m3)}\u00a0kg/m³`);
   const usual = catalogue.value?.usual_air;
   const temperature = (temperature_k ?? usual?.temperature_k ?? 293.15) - 273.15;
   const pressure = (pressure_pa ?? usual?.pressure_pa ?? 101325) / 100;
   const stated = temperature_k !== undefined || pressure_pa !== undefined;
-  const value = `${number(temperature)} °C, ${fixed(pressure, 0, language.value)} hPa`;
+  const value = `${number(temperature)}\u00a0°C, ${fixed(pressure, 0, language.value)}\u00a0hPa`;
   return named('page-settings-air', value + unlessStated(stated));
 }
 
@@ -45,7 +45,7 @@ export function gravityInWords({ gravity }: Settings): string {
   if (latitude_deg !== undefined)
     return `${text('page-settings-latitude')} ${number(latitude_deg)}°`;
   const g = gravity_m_s2 ?? catalogue.value?.standard_gravity_m_s2 ?? 9.80665;
-  return `${text('page-settings-gravity')} ${number(g)}\u00a0m/s²`;
+  return `${text('page-settings-gravity')}\u00a0${number(g)}\u00a0m/s²`;
 }
 
 /** What is stated, and nothing of what is assumed. */
