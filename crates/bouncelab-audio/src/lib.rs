@@ -50,5 +50,5 @@ pub use source::{
     Block, MAX_BLOCK_FRAMES, MAX_SAMPLE_RATE_HZ, MIN_SAMPLE_RATE_HZ, SoundReader, check_layout,
 };
 pub use warning::Warning;
-pub use wav::{SampleFormat, encode_wav};
+pub use wav::{SampleFormat, encode_wav, note_gaps};
 pub use waveform::Samples;

@@ -1,6 +1,9 @@
 //! Encodes WAV files.
 
+use bouncelab::analysis::Gap;
+
 use crate::error::{Error, Result};
+use crate::lost_chunk;
 
 /// How a sample is stored in a WAV file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,6 +70,15 @@ pub fn encode_wav(
     channels: &[&[f32]],
 ) -> Result<Vec<u8>> {
     Ok(Sound::new("WAV in memory", sample_rate_hz, format, channels)?.encode())
+}
+
+/// Notes where sound was lost and silence stands in its place, in a WAV file that [`encode_wav`] made.
+pub fn note_gaps(wav: &mut Vec<u8>, sample_rate_hz: u32, gaps: &[Gap]) {
+    /// What the size of the whole does not count: its name and itself.
+    const HEAD_LEN: usize = 8;
+    wav.extend(lost_chunk::encode(gaps, sample_rate_hz));
+    let size = (wav.len() - HEAD_LEN) as u32;
+    wav[4..HEAD_LEN].copy_from_slice(&size.to_le_bytes());
 }
 
 /// A sound that fits into a WAV file.
@@ -207,5 +219,32 @@ impl WavLayout {
             *target = *byte;
         }
         header
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Input;
+
+    #[test]
+    fn gaps_come_back_with_the_sound() {
+        let samples = vec![0.5; 8_001];
+        let mut wav = encode_wav(8_000, SampleFormat::Float32, &[&samples]).unwrap();
+        let gap = Gap {
+            start_s: 0.25,
+            duration_s: 0.5,
+            certain: true,
+        };
+        note_gaps(&mut wav, 8_000, &[gap]);
+        let Ok(Input::Sound(mut source)) = Input::from_bytes(wav, "lost.wav") else {
+            panic!("it is a sound");
+        };
+        let mut frames = 0;
+        while let Some(block) = source.next_block().unwrap() {
+            frames += block.channel(0).len();
+        }
+        assert_eq!((frames, source.gaps()), (samples.len(), &[gap][..]));
+        assert_eq!(source.warnings().len(), 1);
     }
 }

@@ -366,10 +366,15 @@ fn drops_are_recorded_one_after_the_other() {
     job(&folder, &["repeat", "ball", "2", "--reason", "a cough"])
         .assert()
         .success();
-    // A recording that is there already is no other drop.
-    listen(&["1.wav"])
-        .code(2)
-        .stderr(predicate::str::contains("is recording 1 of the job"));
+    // A recording that is there already is no other drop, and is not saved again, whether it was played or kept.
+    for known in ["1.wav", "ball/sounds/001.wav"] {
+        listen(&[known])
+            .code(2)
+            .stderr(predicate::str::contains("is recording 1 of the job"));
+        job(&folder, &["add", "ball", known]).assert().code(2);
+    }
+    let saved = fs::read_dir(folder.path().join("ball/sounds")).unwrap();
+    assert_eq!(saved.count(), 2);
     listen(&["3.wav", "4.wav"])
         .success()
         .stderr(predicate::str::contains("place 1 of 1, drop 2 of 3"));

@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-use bouncelab::rulebook::{self, Conditions, Decision, Item, Place, Rule, Verdict as Judged};
-use bouncelab_report::document::verdict::{Evaluation, VerdictDocument};
+use bouncelab::rulebook::{self, Decision, Item, Rebound, Rule};
+use bouncelab::settings::Setup;
+use bouncelab_report::document::verdict::{Evaluation, Surface, VerdictDocument};
 use bouncelab_report::figure;
 use bouncelab_report::report::Provenance;
 use bouncelab_report::report::verdict::of_verdict;
@@ -61,71 +62,40 @@ impl Judge {
     ) -> Result<Verdict> {
         let decision = risk.map_or(Decision::Simple, |risk| Decision::Guarded { risk });
         let kept = kept.iter().map(|name| Item::stated(name));
-        let conditions = Conditions {
-            kept: kept.collect::<bouncelab::Result<_>>()?,
-            ..analyzer.setup.conditions.clone()
-        };
-        let of = |recordings: &[Py<Recording>]| -> Vec<String> {
-            recordings
-                .iter()
-                .map(|it| it.get().name().to_owned())
-                .collect()
-        };
-        let (files, reference_files) = (of(&places), of(&reference));
-        let (here, there) = (drops(py, &places)?, drops(py, &reference)?);
-        let judged = py.detach(|| {
-            let options = &analyzer.setup.options;
-            rulebook::judge(&self.rule, options, &conditions, &here, &there, decision)
-        })?;
-        Ok(Verdict {
-            rule: self.rule.clone(),
-            analyzer: analyzer.clone(),
-            decision,
-            judged,
-            files,
-            reference_files,
-        })
+        let mut setup = analyzer.setup.clone();
+        setup.conditions.kept = kept.collect::<bouncelab::Result<_>>()?;
+        let (here, there) = (
+            self.surface(py, &setup, &places)?,
+            self.surface(py, &setup, &reference)?,
+        );
+        let judged = py.detach(|| Evaluation::new(&self.rule, &setup, here, there, decision))?;
+        Ok(Verdict(judged))
     }
 }
 
-/// The drops of each recording.
-fn drops<'a>(py: Python<'_>, recordings: &'a [Py<Recording>]) -> Result<Vec<Place<'a>>> {
-    let recordings = recordings.iter();
-    recordings
-        .map(|it| Ok(it.get().result(py)?.drops.iter().collect()))
-        .collect()
+impl Judge {
+    /// The rebounds in recordings, each of which is a place.
+    fn surface(&self, py: Python<'_>, setup: &Setup, places: &[Py<Recording>]) -> Result<Surface> {
+        let mut surface = Surface::default();
+        for place in places {
+            let drops = place.get().result(py)?.drops.iter();
+            let rebounds = drops.map(|drop| Rebound::new(drop, &self.rule, &setup.options));
+            surface.push(place.get().name().to_owned(), rebounds.collect());
+        }
+        Ok(surface)
+    }
 }
 
 /// A verdict.
 #[pyclass(frozen, module = "bouncelab._core")]
-pub(crate) struct Verdict {
-    rule: Rule,
-    analyzer: Analyzer,
-    decision: Decision,
-    judged: Judged,
-    files: Vec<String>,
-    reference_files: Vec<String>,
-}
-
-impl Verdict {
-    fn evaluation(&self) -> Evaluation<'_> {
-        Evaluation {
-            rule: &self.rule,
-            setup: &self.analyzer.setup,
-            decision: self.decision,
-            verdict: &self.judged,
-            files: &self.files,
-            reference_files: &self.reference_files,
-        }
-    }
-}
+pub(crate) struct Verdict(Evaluation);
 
 #[pymethods]
 impl Verdict {
     /// The document of the schema `bouncelab.verdict/4`.
     fn document(&self, language: &str) -> Result<String> {
         let words = translator(language)?;
-        let document = VerdictDocument::new(&self.evaluation(), &words);
+        let document = VerdictDocument::new(&self.0, &words);
         Ok(serde_json::to_string(&document)?)
     }
 
@@ -133,12 +103,7 @@ impl Verdict {
     fn page(&self, language: &str) -> Result<Page> {
         let words = translator(language)?;
         let provenance = Provenance::default();
-        Ok(Page(of_verdict(
-            &self.evaluation(),
-            &provenance,
-            None,
-            &words,
-        )))
+        Ok(Page(of_verdict(&self.0, &provenance, None, &words)))
     }
 
     /// What it is about, against the limits of the rule.
@@ -152,9 +117,9 @@ impl Verdict {
         }
         let words = translator(language)?;
         Ok(Chart(figure::verdict(
-            &self.rule,
-            &self.judged,
-            &self.files,
+            &self.0.rule,
+            &self.0.verdict,
+            &self.0.files,
             &words,
         )))
     }

@@ -31,6 +31,8 @@
 //! | [`error`](Error) | errors |
 //! | [`messages`] | messages by id and language |
 //! | [`csv`] | lines of CSV |
+//! | [`hash`](mod@hash) | SHA-256 hashes |
+//! | [`journal`] | lines of a journal of results |
 //! | [`data_table`] | columns and rows as data |
 //! | [`units`] | reads quantities with units |
 //! | `digits` | signs and exponents |
@@ -51,6 +53,7 @@
 //! | [`link`] | a drop as the end of a link |
 //! | [`paper`] | the paper, recomputed |
 //! | [`report`] | an analysis as a page to read, print and repeat |
+//! | [`job`] | a test by a rule, drop after drop |
 //! | [`groups`] | the study of many drops |
 //! | [`sheets`] | lesson sheets |
 //!
@@ -70,6 +73,9 @@ pub mod figure;
 #[cfg(not(target_family = "wasm"))]
 pub mod file;
 pub mod groups;
+pub mod hash;
+pub mod job;
+pub mod journal;
 pub mod link;
 pub mod mark;
 pub mod messages;

@@ -1,8 +1,4 @@
-//! A journal of results that survives a crash.
-//!
-//! Each result is one line: a checksum and a JSON object. A line that was cut off or damaged does
-//! not match its checksum and counts as never written; this does not affect other lines. A result is
-//! valid for one recording with one content under one set of settings, which its key identifies.
+//! A journal of results that survives a crash: [lines](bouncelab_report::journal) in a file.
 
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -11,35 +7,19 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use bouncelab_report::file::{create_folder, sync_name};
+use bouncelab_report::journal::{self, Of, begins_line, checked};
+pub use bouncelab_report::journal::{JOURNAL, Key};
+use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
 
 use crate::error::{Error, Result};
 use crate::hash::{Hash, hash};
-
-/// Name of the journal in the folder of the results.
-pub const JOURNAL: &str = "journal.jsonl";
-
-/// The text behind the checksum of every line.
-const NAMED: &str = " {\"name\":";
 
 /// Number of results after which the file is synced to the disk: a loss of power loses at most this number.
 const SYNC_EVERY: usize = 50;
 
 /// Maximum length of a line in bytes; the result of an hour of drops has some megabytes.
 const MAX_LINE_LEN: u64 = 1 << 26;
-
-/// Number of hexadecimal digits of a checksum.
-const CHECK_LEN: usize = 16;
-
-/// What a result is made from: the content of a recording and the settings.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Key {
-    /// Hash of the content of the recording.
-    pub content: Hash,
-    /// Hash of everything else that the result depends on.
-    pub settings: Hash,
-}
 
 /// The journal of a folder, open for writing by this run alone.
 #[derive(Debug)]
@@ -71,25 +51,6 @@ impl Id {
         let text = format!("{}\n{}\n{name}", key.content, key.settings);
         Self(hash(text.as_bytes()).half())
     }
-}
-
-#[derive(Serialize)]
-struct Line<'a, R> {
-    name: &'a str,
-    key: &'a Key,
-    result: &'a R,
-}
-
-/// Name and key of a line, without its result.
-#[derive(Deserialize)]
-struct Of {
-    name: String,
-    key: Key,
-}
-
-#[derive(Deserialize)]
-struct Held<R> {
-    result: R,
 }
 
 impl Journal {
@@ -175,12 +136,10 @@ impl Journal {
     /// # Errors
     /// [`Error::Output`] if it cannot be written; a part that was written is removed.
     pub fn append<R: Serialize>(&self, name: &str, key: &Key, result: &R) -> Result<()> {
-        let text =
-            serde_json::to_string(&Line { name, key, result }).map_err(|fault| Error::Table {
-                path: self.path.clone(),
-                problem: fault.to_string(),
-            })?;
-        let line = format!("{} {text}\n", check(&text));
+        let line = journal::line(name, key, result).map_err(|fault| Error::Table {
+            path: self.path.clone(),
+            problem: fault.to_string(),
+        })?;
         let mut end = self.lock();
         let written = end.file.write_all(line.as_bytes());
         if let Err(fault) = written {
@@ -225,7 +184,7 @@ impl Journal {
             let mut line = Vec::new();
             file.take(MAX_LINE_LEN).read_until(b'\n', &mut line)?;
             let text = checked(&line).ok_or(std::io::ErrorKind::InvalidData)?;
-            Ok(serde_json::from_str::<Held<R>>(text)?.result)
+            Ok(journal::result(text)?)
         };
         read().map(Some).map_err(Error::read(&self.path))
     }
@@ -240,9 +199,9 @@ impl Journal {
             let (mut results, mut line) = (Vec::new(), Vec::new());
             while next_line(&mut reader, &mut line)? > 0 {
                 if let Some(text) = checked(&line)
-                    && serde_json::from_str::<Of>(text)?.key.settings == *settings
+                    && journal::of(text)?.key.settings == *settings
                 {
-                    results.push(serde_json::from_str::<Held<R>>(text)?.result);
+                    results.push(journal::result(text)?);
                 }
             }
             Ok(results)
@@ -284,7 +243,7 @@ impl Scan {
             if scan.length == 0 {
                 scan.is_foreign = !begins_line(&line);
             }
-            let of = checked(&line).and_then(|text| serde_json::from_str::<Of>(text).ok());
+            let of = checked(&line).and_then(|text| journal::of(text).ok());
             scan.is_foreign &= of.is_none();
             match of {
                 Some(Of { name, key }) => {
@@ -305,27 +264,6 @@ fn next_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> std::io::Result<u
     line.clear();
     let read = reader.take(MAX_LINE_LEN).read_until(b'\n', line)?;
     Ok(read as u64)
-}
-
-/// The text of a whole line, if it matches its checksum.
-fn checked(line: &[u8]) -> Option<&str> {
-    let line = std::str::from_utf8(line.strip_suffix(b"\n")?).ok()?;
-    let (stated, text) = line.split_once(' ')?;
-    (stated == check(text)).then_some(text)
-}
-
-/// Whether this may be a line of a journal, or the beginning of one, by its first letters.
-fn begins_line(line: &[u8]) -> bool {
-    let (check, named) = line.split_at(CHECK_LEN.min(line.len()));
-    let is_digit = |letter: &u8| matches!(letter, b'0'..=b'9' | b'a'..=b'f');
-    let mut letters = std::iter::zip(named, NAMED.as_bytes());
-    check.iter().all(is_digit) && letters.all(|(letter, expected)| letter == expected)
-}
-
-fn check(text: &str) -> String {
-    let mut hash = hash(text.as_bytes()).to_string();
-    hash.truncate(CHECK_LEN);
-    hash
 }
 
 #[cfg(test)]

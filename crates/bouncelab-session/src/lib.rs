@@ -48,7 +48,7 @@ pub use columns::{tables, write_tables};
 pub use document::{DOCUMENT_MARK, SCHEMA, SessionDocument};
 pub use error::{Error, Result};
 pub use figures::figures;
-pub use metadata::{Advice, KnownRecording, Metadata, MetadataOptions, hash_of_build};
+pub use metadata::{Advice, BUILD, KnownRecording, Metadata, MetadataOptions};
 pub use name::name;
 pub use notes::{Note, Notes};
 pub use pattern::Pattern;

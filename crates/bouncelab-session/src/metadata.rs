@@ -53,7 +53,7 @@ pub struct KnownRecording {
 }
 
 /// The versions of the libraries, and the hash of their sources.
-pub(crate) const BUILD: [&str; 4] = [
+pub const BUILD: [&str; 4] = [
     env!("CARGO_PKG_VERSION"),
     bouncelab::VERSION,
     bouncelab_audio::VERSION,
@@ -61,7 +61,7 @@ pub(crate) const BUILD: [&str; 4] = [
 ];
 
 /// The hash of settings, and of this very build of the science: equal only for equal results.
-pub fn hash_of_build(settings: &impl Serialize) -> Hash {
+pub(crate) fn hash_of_build(settings: &impl Serialize) -> Hash {
     hash_of(&(BUILD, settings))
 }
 

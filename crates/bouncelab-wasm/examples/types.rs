@@ -79,6 +79,10 @@ fn declarations() -> String {
     all.declare::<wire::RuleChoice>();
     all.declare::<wire::VerdictRequest>();
     all.declare::<wire::Judged>();
+    all.declare::<wire::ReboundRequest>();
+    all.declare::<wire::NewJob>();
+    all.declare::<wire::JobChange>();
+    all.declare::<wire::JobShown>();
     all.declare::<wire::SimulationRequest>();
     all.declare::<wire::SceneRequest>();
     all.declare::<wire::SimulationRun>();

@@ -9,6 +9,7 @@ use bouncelab::Diagnostic;
 use bouncelab_audio::times::TimeList;
 use bouncelab_audio::{Input, SoundReader, Warning};
 use bouncelab_report::figure::{self, DropSummary};
+use bouncelab_report::hash::hash;
 use bouncelab_report::link::LinkedDrop;
 use bouncelab_report::paper::{self, lesson};
 use bouncelab_report::sheets::Sheet;
@@ -16,6 +17,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::file::FileOfWorker;
 use crate::groups;
+use crate::job;
 use crate::language::translator;
 use crate::link;
 use crate::refusal::{Refusal, Result};
@@ -183,6 +185,58 @@ pub fn linked_drop(code: &str) -> Result<String> {
 pub fn rules(code: &str, sources: Vec<String>) -> Result<String> {
     let choices = verdict::choices(&translator(code, &sources)?)?;
     Ok(serde_json::to_string(&choices)?)
+}
+
+/// The SHA-256 of the content of a file, in hexadecimal.
+#[wasm_bindgen]
+pub fn sha256(bytes: &[u8]) -> String {
+    hash(bytes).to_string()
+}
+
+/// The files of a new job.
+#[wasm_bindgen(js_name = newJob)]
+pub fn new_job(request: &str) -> Result<String> {
+    Ok(serde_json::to_string(&job::new(&serde_json::from_str(
+        request,
+    )?)?)?)
+}
+
+/// A job after a change, if there is one, in a language by its code and its files.
+#[expect(
+    clippy::needless_pass_by_value,
+    reason = "JavaScript hands over a vector"
+)]
+#[wasm_bindgen(js_name = job)]
+pub fn show_job(
+    files: &str,
+    change: Option<String>,
+    code: &str,
+    sources: Vec<String>,
+) -> Result<String> {
+    let change = change
+        .map(|change| serde_json::from_str(&change))
+        .transpose()?;
+    let translator = translator(code, &sources)?;
+    let shown = job::show(serde_json::from_str(files)?, change, &translator)?;
+    Ok(serde_json::to_string(&shown)?)
+}
+
+/// The report of a job as one HTML file.
+#[expect(
+    clippy::needless_pass_by_value,
+    reason = "JavaScript hands over a vector"
+)]
+#[wasm_bindgen(js_name = jobReport)]
+pub fn job_report(
+    files: &str,
+    check: &str,
+    one_page: bool,
+    code: &str,
+    sources: Vec<String>,
+) -> Result<String> {
+    let translator = translator(code, &sources)?;
+    let (files, check) = (serde_json::from_str(files)?, serde_json::from_str(check)?);
+    job::report(files, check, one_page, &translator)
 }
 
 /// The study of many drops, in a language by its code and its files.

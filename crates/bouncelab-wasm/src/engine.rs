@@ -6,10 +6,11 @@
 #![allow(clippy::missing_errors_doc)]
 
 use bouncelab::detection::Envelope;
-use bouncelab_audio::{SampleFormat, encode_wav};
+use bouncelab_audio::{SampleFormat, encode_wav, note_gaps};
 use bouncelab_report::Chart;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::paper::lesson::PuzzleChoice;
+use bouncelab_report::report::verdict::MethodCheck;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use wasm_bindgen::prelude::*;
@@ -238,6 +239,11 @@ impl JsAnalyst {
         )?)
     }
 
+    /// The rebounds of the drops of a recording, by a rule.
+    pub fn rebounds(&mut self, request: &str) -> Result<String> {
+        json(&verdict::rebounds(&mut self.0, &read(request)?)?)
+    }
+
     /// The report of a verdict as HTML.
     #[wasm_bindgen(js_name = verdictReport)]
     pub fn verdict_report(&mut self, request: &str, translator: &JsTranslator) -> Result<String> {
@@ -273,6 +279,12 @@ fn envelope(extremes: &[f32], step_s: f64) -> Envelope {
         .map(|pair| (pair[0], pair[1]))
         .unzip();
     Envelope::of_steps(step_s, least, greatest)
+}
+
+/// The check of the method on a synthesised recording, on this day.
+#[wasm_bindgen(js_name = methodCheck)]
+pub fn method_check(day: String) -> Result<String> {
+    json(&MethodCheck::run(day)?)
 }
 
 /// The onset nearest to a time.
@@ -334,13 +346,15 @@ impl JsSpectrogram {
     }
 }
 
-/// Samples as a WAV file of 32-bit floating point; the second channel may be empty.
+/// Samples as a WAV file of 32-bit floating point, with a list of gaps; the second channel may be empty.
 #[wasm_bindgen]
-pub fn wav(left: &[f32], right: &[f32], sample_rate_hz: u32) -> Result<Vec<u8>> {
+pub fn wav(left: &[f32], right: &[f32], sample_rate_hz: u32, gaps: &str) -> Result<Vec<u8>> {
     let channels = [left, right];
     let count = if right.is_empty() { 1 } else { 2 };
     let format = SampleFormat::Float32;
-    Ok(encode_wav(sample_rate_hz, format, &channels[..count])?)
+    let mut wav = encode_wav(sample_rate_hz, format, &channels[..count])?;
+    note_gaps(&mut wav, sample_rate_hz, &read::<Vec<_>>(gaps)?);
+    Ok(wav)
 }
 
 /// Simulates a drop.

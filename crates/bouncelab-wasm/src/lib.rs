@@ -16,6 +16,7 @@
 //! | [`pyramid`] | envelope at any zoom |
 //! | [`spectrogram`] | spectrogram |
 //! | [`detector`] | drops of a recording |
+//! | [`job`] | a test by a rule, drop after drop |
 //! | [`language`] | messages of a language |
 //! | [`link`](mod@link) | a drop as a link and a QR code |
 //! | [`analyst`] | analysis of impacts |
@@ -38,6 +39,7 @@ pub mod engine;
 #[cfg(all(target_family = "wasm", feature = "decoders"))]
 mod file;
 pub mod groups;
+pub mod job;
 pub mod language;
 pub mod link;
 pub mod pyramid;

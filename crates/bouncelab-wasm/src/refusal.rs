@@ -99,6 +99,11 @@ pub enum Reason {
         /// What is wrong.
         problem: TimesProblem,
     },
+    /// It is a recording of the job already; each counts once.
+    Counted {
+        /// Its number.
+        number: usize,
+    },
     /// It is no link of a drop, or cannot be one.
     Link {
         /// Why.

@@ -1,9 +1,9 @@
 //! Verdicts by the rules that are built in, as `bouncelab verdict` gives them.
 
-use bouncelab::analysis::{Drop, Plan};
-use bouncelab::rulebook::{self, Decision, Item, Place, Rule, Verdict};
-use bouncelab::settings::Setup;
-use bouncelab_report::document::verdict::Evaluation;
+use bouncelab::analysis::Plan;
+use bouncelab::rulebook::{Decision, Item, Rebound, Rule};
+use bouncelab::settings::{Settings, Setup};
+use bouncelab_report::document::verdict::{Evaluation, Surface};
 use bouncelab_report::messages::{Translator, capital};
 use bouncelab_report::report::verdict::of_verdict;
 use bouncelab_report::report::{Page, Provenance};
@@ -11,7 +11,9 @@ use bouncelab_report::rules::{self, words};
 
 use crate::analyst::Analyst;
 use crate::refusal::{Refusal, Result};
-use crate::wire::{DropMarks, Judged, JudgedPlace, RuleChoice, StatedPart, VerdictRequest};
+use crate::wire::{
+    DropMarks, Judged, JudgedPlace, ReboundRequest, RuleChoice, StatedPart, VerdictRequest,
+};
 
 /// The rules by title.
 ///
@@ -42,13 +44,8 @@ pub fn judge(
     request: &VerdictRequest,
     translator: &Translator,
 ) -> Result<Judged> {
-    let test = Test::new(analyst, request)?;
-    let Page { lead, sections, .. } = test.page(request, translator);
-    Ok(Judged {
-        lead,
-        sections,
-        stated: test.stated(translator),
-    })
+    let evaluation = evaluation(analyst, request)?;
+    Ok(judged(&evaluation, translator))
 }
 
 /// The report of a verdict as one HTML file.
@@ -61,96 +58,93 @@ pub fn report(
     request: &VerdictRequest,
     translator: &Translator,
 ) -> Result<String> {
-    Ok(Test::new(analyst, request)?
-        .page(request, translator)
-        .html())
+    let evaluation = evaluation(analyst, request)?;
+    let provenance = Provenance {
+        made: request.made.clone(),
+        ..Provenance::default()
+    };
+    Ok(of_verdict(&evaluation, &provenance, None, translator).html())
 }
 
-/// A verdict and all that it rests on.
-struct Test {
-    rule: Rule,
-    setup: Setup,
-    verdict: Verdict,
+/// The rebounds of the drops of a recording.
+///
+/// # Errors
+///
+/// As those of [`judge`].
+pub fn rebounds(analyst: &mut Analyst, request: &ReboundRequest) -> Result<Vec<Rebound>> {
+    let setup = setup(&request.rule, &request.settings)?;
+    Ok(in_place(analyst, &request.place, &request.rule, &setup))
 }
 
-impl Test {
-    fn new(analyst: &mut Analyst, request: &VerdictRequest) -> Result<Self> {
-        let rule = request.rule.clone();
-        let no_ball = || Refusal::fault(format!("the rule {} names no known ball", rule.name));
-        let (settings, is_its_ball) = request.settings.with_ball_of(&rule).ok_or_else(no_ball)?;
-        let mut setup = settings.resolve()?;
-        setup.assume(&rule, is_its_ball);
-        let kept = request.kept.iter().map(|name| Item::stated(name));
-        setup.conditions.kept = kept.collect::<bouncelab::Result<_>>()?;
-        let mut analysed = |places: &[JudgedPlace]| -> Vec<Vec<Drop>> {
-            let places = places.iter();
-            places
-                .map(|place| {
-                    let candidates = place.drops.iter().map(DropMarks::candidate).collect();
-                    let plan =
-                        Plan::of_candidates(place.source.clone(), candidates, &setup.options);
-                    plan.tasks().iter().map(|task| analyst.drop(task)).collect()
-                })
-                .collect()
-        };
-        let (surface, reference) = (analysed(&request.surface), analysed(&request.reference));
-        let verdict = rulebook::judge(
-            &rule,
-            &setup.options,
-            &setup.conditions,
-            &places(&surface),
-            &places(&reference),
-            Decision::default(),
-        )?;
-        Ok(Self {
-            rule,
-            setup,
-            verdict,
+/// The settings of drops that a rule judges, with what it says of them.
+///
+/// # Errors
+///
+/// As those of [`judge`].
+pub fn setup(rule: &Rule, settings: &Settings) -> Result<Setup> {
+    let no_ball = || Refusal::fault(format!("the rule {} names no known ball", rule.name));
+    let (settings, is_its_ball) = settings.with_ball_of(rule).ok_or_else(no_ball)?;
+    let mut setup = settings.resolve()?;
+    setup.assume(rule, is_its_ball);
+    Ok(setup)
+}
+
+/// A verdict as the page shows it.
+pub(crate) fn judged(evaluation: &Evaluation, translator: &Translator) -> Judged {
+    let provenance = Provenance::default();
+    let Page { lead, sections, .. } = of_verdict(evaluation, &provenance, None, translator);
+    Judged {
+        lead,
+        sections,
+        stated: stated(evaluation, translator),
+    }
+}
+
+fn in_place(
+    analyst: &mut Analyst,
+    place: &JudgedPlace,
+    rule: &Rule,
+    setup: &Setup,
+) -> Vec<Rebound> {
+    let candidates = place.drops.iter().map(DropMarks::candidate).collect();
+    let plan = Plan::of_candidates(place.source.clone(), candidates, &setup.options);
+    let drops = plan.tasks().iter().map(|task| analyst.drop(task));
+    drops
+        .map(|drop| Rebound::new(&drop, rule, &setup.options))
+        .collect()
+}
+
+fn evaluation(analyst: &mut Analyst, request: &VerdictRequest) -> Result<Evaluation> {
+    let rule = &request.rule;
+    let mut setup = setup(rule, &request.settings)?;
+    let kept = request.kept.iter().map(|name| Item::stated(name));
+    setup.conditions.kept = kept.collect::<bouncelab::Result<_>>()?;
+    let mut surface = |places: &[JudgedPlace]| {
+        let mut surface = Surface::default();
+        for place in places {
+            surface.push(place.name.clone(), in_place(analyst, place, rule, &setup));
+        }
+        surface
+    };
+    let (here, there) = (surface(&request.surface), surface(&request.reference));
+    let decision = Decision::default();
+    Ok(Evaluation::new(rule, &setup, here, there, decision)?)
+}
+
+/// The parts of the procedure that only a person can state.
+fn stated(evaluation: &Evaluation, translator: &Translator) -> Vec<StatedPart> {
+    let checks = evaluation.verdict.procedure.iter();
+    checks
+        .filter(|check| Item::STATED.contains(&check.item))
+        .map(|check| StatedPart {
+            name: check.item.name(),
+            label: format!(
+                "{} {}",
+                translator.with_colon(&capital(
+                    &translator.text(&format!("verdict-item-{}", check.item.name()))
+                )),
+                words::asked(&evaluation.rule, check.item, translator)
+            ),
         })
-    }
-
-    fn page(&self, request: &VerdictRequest, translator: &Translator) -> Page {
-        let names = |places: &[JudgedPlace]| -> Vec<String> {
-            places.iter().map(|place| place.name.clone()).collect()
-        };
-        let (files, reference_files) = (names(&request.surface), names(&request.reference));
-        let evaluation = Evaluation {
-            rule: &self.rule,
-            setup: &self.setup,
-            decision: Decision::default(),
-            verdict: &self.verdict,
-            files: &files,
-            reference_files: &reference_files,
-        };
-        let provenance = Provenance {
-            made: request.made.clone(),
-            ..Provenance::default()
-        };
-        of_verdict(&evaluation, &provenance, None, translator)
-    }
-
-    /// The parts of the procedure that only a person can state.
-    fn stated(&self, translator: &Translator) -> Vec<StatedPart> {
-        let checks = self.verdict.procedure.iter();
-        checks
-            .filter(|check| Item::STATED.contains(&check.item))
-            .map(|check| StatedPart {
-                name: check.item.name(),
-                label: format!(
-                    "{} {}",
-                    translator.with_colon(&capital(
-                        &translator.text(&format!("verdict-item-{}", check.item.name()))
-                    )),
-                    words::asked(&self.rule, check.item, translator)
-                ),
-            })
-            .collect()
-    }
-}
-
-fn places(analysed: &[Vec<Drop>]) -> Vec<Place<'_>> {
-    analysed
-        .iter()
-        .map(|drops| drops.iter().collect())
         .collect()
 }

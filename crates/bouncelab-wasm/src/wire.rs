@@ -13,13 +13,15 @@ use bouncelab::air::Conditions;
 use bouncelab::analysis::{Drop, DropCandidate, ListOrigin, Source, StrongestBand, renumbered};
 use bouncelab::groups::CurveEvidence;
 use bouncelab::inference::Posterior;
-use bouncelab::rulebook::Rule;
+use bouncelab::rulebook::{Rebound, Rule};
 use bouncelab::settings::Settings;
 use bouncelab::{Diagnostic, Impact};
 use bouncelab_report::Chart;
 use bouncelab_report::document::Document;
 use bouncelab_report::figure::DropSummary;
+use bouncelab_report::hash::Hash;
 use bouncelab_report::quantities::{Headline, QuantityList};
+use bouncelab_report::report::verdict::{MethodCheck, NoteField};
 use bouncelab_report::report::{Block, Section};
 
 /// The choices that a page can offer.
@@ -305,6 +307,165 @@ pub struct Judged {
     pub sections: Vec<Section>,
     /// The parts of the procedure that neither a recording nor a setting shows.
     pub stated: Vec<StatedPart>,
+}
+
+/// The rebounds that are wanted of the drops of a recording, by a rule.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct ReboundRequest {
+    /// The rule.
+    #[cfg_attr(not(target_family = "wasm"), ts(type = "unknown"))]
+    pub rule: Rule,
+    /// Ball, air, gravity and other settings of all drops.
+    pub settings: Settings,
+    /// The recording.
+    pub place: JudgedPlace,
+}
+
+/// What is chosen when a job begins.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct NewJob {
+    /// Name of the rule.
+    pub rule: String,
+    /// What it is called.
+    pub name: String,
+    /// How many places are tested; as many as the rule asks for if left out.
+    pub places: Option<usize>,
+    /// How many drops in each place; as many as the rule asks for if left out.
+    pub drops: Option<usize>,
+    /// The ball, if the rule names none.
+    pub settings: Settings,
+}
+
+/// The files of a job, but for its recordings: those of a job of the program.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct JobFiles {
+    /// `job.toml`.
+    pub notes: String,
+    /// `journal.jsonl`.
+    pub journal: String,
+}
+
+/// A change of a job.
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+#[serde(tag = "change", rename_all = "kebab-case")]
+#[expect(clippy::large_enum_variant, reason = "one at a time, from a person")]
+pub enum JobChange {
+    /// What a person states.
+    Stated {
+        /// Parts of the notes that the report shows, by their names.
+        fields: BTreeMap<String, String>,
+        /// What was kept of the procedure.
+        kept: Vec<String>,
+        /// Ball, height, air and other settings of all drops.
+        settings: Settings,
+    },
+    /// The method was checked.
+    Checked {
+        /// What came out.
+        #[cfg_attr(not(target_family = "wasm"), ts(type = "unknown"))]
+        check: MethodCheck,
+    },
+    /// A recording counts from now on, in the next place.
+    Added {
+        /// Its SHA-256.
+        #[cfg_attr(not(target_family = "wasm"), ts(type = "string"))]
+        sha256: Hash,
+        /// The ending of the name of its file.
+        ending: String,
+        /// The name under which it was given.
+        given_as: String,
+        /// Who dropped the ball.
+        operator: String,
+        /// Date and time.
+        added: String,
+        /// The rebounds of its drops.
+        #[cfg_attr(not(target_family = "wasm"), ts(type = "unknown[]"))]
+        rebounds: Vec<Rebound>,
+    },
+    /// The rebounds in a recording under the settings of now.
+    Computed {
+        /// Its number.
+        number: usize,
+        /// The rebounds of its drops.
+        #[cfg_attr(not(target_family = "wasm"), ts(type = "unknown[]"))]
+        rebounds: Vec<Rebound>,
+    },
+    /// A recording counts no more.
+    Repeated {
+        /// Its number.
+        number: usize,
+        /// Why.
+        reason: String,
+    },
+}
+
+/// A job, to be shown.
+#[derive(Debug, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct JobShown {
+    /// Its files.
+    pub files: JobFiles,
+    /// What it is called.
+    pub name: String,
+    /// The title of its rule.
+    pub title: String,
+    /// What the rebounds of a recording are asked for with.
+    #[cfg_attr(not(target_family = "wasm"), ts(type = "unknown"))]
+    pub rule: Rule,
+    /// The same.
+    pub settings: Settings,
+    /// Where the next drop belongs, in words; `null` if every place has its drops.
+    pub next: Option<String>,
+    /// Each place with its drops, in words.
+    pub places: Vec<JobPlace>,
+    /// All recordings, also those that were repeated.
+    pub recordings: Vec<JobRecording>,
+    /// The result so far in a sentence; `null` before the first drop, and while rebounds are missing.
+    pub so_far: Option<String>,
+    /// The verdict so far; `null` likewise.
+    pub judged: Option<Judged>,
+    /// What the report states.
+    pub fields: Vec<NoteField>,
+    /// What was kept of the procedure, as stated.
+    pub kept: Vec<String>,
+    /// The checks of the method at the start.
+    pub checks: Vec<String>,
+    /// How many lines of the journal are damaged, and do not count.
+    pub damaged: usize,
+}
+
+/// A place of a job.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct JobPlace {
+    /// Its number; 0 is the reference.
+    pub place: usize,
+    /// Where it is, as in "place 2 of 5, drop 3 of 5".
+    pub words: String,
+    /// Whether it has its drops.
+    pub is_done: bool,
+}
+
+/// A recording of a job.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(not(target_family = "wasm"), derive(TS))]
+pub struct JobRecording {
+    /// Its number.
+    pub number: usize,
+    /// Its file, in the folder of the job.
+    pub file: String,
+    /// What is known of it.
+    pub words: String,
+    /// Its SHA-256.
+    pub sha256: String,
+    /// Whether it counts.
+    pub counts: bool,
+    /// Whether its rebounds under the settings of now are known.
+    pub is_known: bool,
 }
 
 /// A part of a procedure that a person states to have been kept.

@@ -4,7 +4,7 @@
  */
 import { signal } from '@preact/signals';
 
-export const VIEWS = ['lab', 'simulate', 'paper', 'drops'] as const;
+export const VIEWS = ['lab', 'simulate', 'paper', 'drops', 'series'] as const;
 export type View = (typeof VIEWS)[number];
 
 export interface Route {

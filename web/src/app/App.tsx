@@ -14,6 +14,7 @@ import { newer, takeOver } from './offline.ts';
 
 const Simulate = later(async () => (await import('../views/simulate/Simulate.tsx')).Simulate);
 const Paper = later(async () => (await import('../views/paper/Paper.tsx')).Paper);
+const Series = later(async () => (await import('../views/series/Series.tsx')).Series);
 const Drops = later(async () => (await import('../views/drops/Drops.tsx')).Drops);
 
 export function App() {
@@ -45,6 +46,7 @@ export function App() {
           {view === 'simulate' && <Simulate />}
           {view === 'paper' && <Paper />}
           {view === 'drops' && <Drops />}
+          {view === 'series' && <Series />}
         </div>
       </main>
       <Footer />
@@ -102,6 +104,11 @@ async function gather(files: readonly File[]): Promise<void> {
   await gatherHere(files);
 }
 
+async function addToSeries(files: readonly File[]): Promise<void> {
+  const { addFiles } = await import('../state/series.ts');
+  await addFiles(files);
+}
+
 /** A file that is dragged anywhere over the page may be dropped anywhere. */
 function DropZone() {
   const [over, setOver] = useState(false);
@@ -127,10 +134,9 @@ function DropZone() {
       setOver(false);
       const [file, ...others] = event.dataTransfer?.files ?? [];
       if (!file || busy.peek()) return;
-      if (route.peek().view === 'drops') {
-        void gather([file, ...others]);
-        return;
-      }
+      const { view } = route.peek();
+      if (view === 'drops') return void gather([file, ...others]);
+      if (view === 'series') return void addToSeries([file, ...others]);
       goToLab();
       void openFile(file);
     });

@@ -145,3 +145,14 @@ const withMinus = (number: string): string =>
 
 const superscript = (power: number): string =>
   String(power).replace(/./g, (sign) => (sign === '-' ? '⁻' : ('⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(sign)] ?? '')));
+
+/** In degrees Celsius. */
+export const ABSOLUTE_ZERO_C = -273.15;
+
+/** A number in another unit, if there is one: of what is not stated the engine writes `null`. */
+export const scaled = (
+  value: number | null | undefined,
+  factor: number,
+  offset = 0,
+): number | undefined =>
+  value === undefined || value === null ? undefined : value * factor + offset;

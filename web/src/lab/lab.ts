@@ -10,11 +10,16 @@ import type {
   DropLink,
   DropMarks,
   Gap,
+  JobChange,
+  JobFiles,
+  JobShown,
   Judged,
   LinkedDrop,
+  NewJob,
   PaperDocument,
   PuzzleAnswer,
   PuzzleChoice,
+  ReboundRequest,
   RuleChoice,
   SceneRequest,
   Settings,
@@ -280,6 +285,41 @@ export class Lab {
     return this.#back.call('verdictReport', { request });
   }
 
+  /** The rebounds of the drops of a recording, by a rule. */
+  rebounds(request: ReboundRequest): Promise<unknown[]> {
+    return this.#back.call('rebounds', { request });
+  }
+
+  /** The check of the method on a synthesised recording, on a day. */
+  methodCheck(day: string): Promise<unknown> {
+    return this.#back.call('methodCheck', { day });
+  }
+
+  /** The SHA-256 of a file, in hexadecimal. */
+  async sha256(file: Blob): Promise<string> {
+    const bytes = await file.arrayBuffer();
+    return this.#alone(true, undefined, (connection) =>
+      connection.call('sha256', { bytes }, { transfer: [bytes] }),
+    );
+  }
+
+  /** The files of a new job. */
+  newJob(request: NewJob): Promise<JobFiles> {
+    return this.#alone(true, undefined, (connection) => connection.call('newJob', { request }));
+  }
+
+  /** A job after a change, if there is one. */
+  job(files: JobFiles, change: JobChange | null = null): Promise<JobShown> {
+    return this.#alone(true, undefined, (connection) => connection.call('job', { files, change }));
+  }
+
+  /** The report of a job as one HTML file, with the check of the method of now. */
+  jobReport(files: JobFiles, check: unknown, isOnePage: boolean): Promise<string> {
+    return this.#alone(true, undefined, (connection) =>
+      connection.call('jobReport', { files, check, isOnePage }),
+    );
+  }
+
   /** A drop as a link and a QR code, for a page at this address, which ends where the drop begins. */
   dropLink(drop: LinkedDrop, page: string): Promise<DropLink> {
     return this.#alone(true, undefined, (connection) =>
@@ -366,10 +406,14 @@ export class Lab {
     return this.#front.call('puzzleSolution', { choice });
   }
 
-  /** Samples of one or two channels as WAV, 32 bits each: exactly as they are. They are taken away. */
-  async wav(channels: Float32Array[], sampleRateHz: number): Promise<Blob> {
+  /** Samples of one or two channels as WAV, 32 bits each: exactly as they are, with their gaps. They are taken away. */
+  async wav(
+    channels: Float32Array[],
+    sampleRateHz: number,
+    gaps: readonly Gap[] = [],
+  ): Promise<Blob> {
     const transfer = channels.map((channel) => channel.buffer as ArrayBuffer);
-    const bytes = await this.#front.call('wav', { channels, sampleRateHz }, { transfer });
+    const bytes = await this.#front.call('wav', { channels, sampleRateHz, gaps }, { transfer });
     return new Blob([bytes], { type: 'audio/wav' });
   }
 
@@ -443,7 +487,8 @@ export class Lab {
         { samples, margin, sampleRateHz, columns, rows },
         { transfer: [samples.buffer as ArrayBuffer] },
       ),
-    wav: (channels: Float32Array[], sampleRateHz: number) => this.wav(channels, sampleRateHz),
+    wav: (channels: Float32Array[], sampleRateHz: number, gaps: readonly Gap[]) =>
+      this.wav(channels, sampleRateHz, gaps),
   };
 }
 

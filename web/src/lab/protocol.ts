@@ -9,11 +9,16 @@ import type {
   DropLink,
   Gap,
   Impact,
+  JobChange,
+  JobFiles,
+  JobShown,
   Judged,
   LinkedDrop,
+  NewJob,
   PaperDocument,
   PuzzleAnswer,
   PuzzleChoice,
+  ReboundRequest,
   RecordingResult,
   RuleChoice,
   SceneRequest,
@@ -151,6 +156,15 @@ export interface Calls {
   rules: { request: Record<never, never>; response: RuleChoice[] };
   judge: { request: { request: VerdictRequest }; response: Judged };
   verdictReport: { request: { request: VerdictRequest }; response: string };
+  rebounds: { request: { request: ReboundRequest }; response: unknown[] };
+  methodCheck: { request: { day: string }; response: unknown };
+  sha256: { request: { bytes: ArrayBuffer }; response: string };
+  newJob: { request: { request: NewJob }; response: JobFiles };
+  job: { request: { files: JobFiles; change: JobChange | null }; response: JobShown };
+  jobReport: {
+    request: { files: JobFiles; check: unknown; isOnePage: boolean };
+    response: string;
+  };
   dropLink: { request: { drop: LinkedDrop; page: string }; response: DropLink };
   qrCode: { request: { address: string }; response: DropLink };
   readQrCode: { request: { grey: Uint8Array; width: number }; response: string | null };
@@ -177,7 +191,7 @@ export interface Calls {
     response: Spectrogram;
   };
   wav: {
-    request: { channels: Float32Array[]; sampleRateHz: number };
+    request: { channels: Float32Array[]; sampleRateHz: number; gaps: readonly Gap[] };
     response: Uint8Array<ArrayBuffer>;
   };
   simulate: { request: { request: SimulationRequest }; response: SimulationDocument };

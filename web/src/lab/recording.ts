@@ -1,4 +1,4 @@
-import type { Impact, RecordingResult } from './engine/types.ts';
+import type { Gap, Impact, RecordingResult } from './engine/types.ts';
 import type { Level, Sound, Spectrogram } from './protocol.ts';
 
 /** What a recording asks of the workers. */
@@ -16,7 +16,7 @@ export interface Services {
     columns: number,
     rows: number,
   ): Promise<Spectrogram>;
-  wav(channels: Float32Array[], sampleRateHz: number): Promise<Blob>;
+  wav(channels: Float32Array[], sampleRateHz: number, gaps: readonly Gap[]): Promise<Blob>;
 }
 
 /** How much sound before and after a time is searched for the onset next to it. */
@@ -126,11 +126,11 @@ export class Recording {
     if (this.sound === null) {
       return null;
     }
-    const { channels, frames, sampleRateHz } = this.sound;
+    const { channels, frames, sampleRateHz, gaps } = this.sound;
     const planes: Float32Array[] = [];
     for (let channel = 0; channel < channels; channel += 1) {
       planes.push(await this.sound.read(channel, 0, frames));
     }
-    return this.#services.wav(planes, sampleRateHz);
+    return this.#services.wav(planes, sampleRateHz, gaps);
   }
 }

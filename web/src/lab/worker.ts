@@ -175,6 +175,21 @@ const handlers: Handlers = {
     response: analyst().verdictReport(JSON.stringify(request), translator),
   }),
 
+  rebounds: ({ request }) => ({
+    response: JSON.parse(analyst().rebounds(JSON.stringify(request))),
+  }),
+  methodCheck: ({ day }) => ({ response: JSON.parse(science.methodCheck(day)) }),
+  sha256: ({ bytes }) => ({ response: decoding.sha256(new Uint8Array(bytes)) }),
+  newJob: ({ request }) => ({ response: JSON.parse(decoding.newJob(JSON.stringify(request))) }),
+  job: ({ files, change }, { messages: { code, sources } }) => {
+    const asked = change ? JSON.stringify(change) : undefined;
+    return { response: JSON.parse(decoding.job(JSON.stringify(files), asked, code, [...sources])) };
+  },
+  jobReport: ({ files, check, isOnePage }, { messages: { code, sources } }) => {
+    const [job, now] = [JSON.stringify(files), JSON.stringify(check)];
+    return { response: decoding.jobReport(job, now, isOnePage, code, [...sources]) };
+  },
+
   dropLink: ({ drop, page }) => ({
     response: JSON.parse(decoding.dropLink(JSON.stringify(drop), page)),
   }),
@@ -206,9 +221,10 @@ const handlers: Handlers = {
       transfer: buffers([cells]),
     };
   },
-  wav: ({ channels: [left, right], sampleRateHz }) => {
+  wav: ({ channels: [left, right], sampleRateHz, gaps }) => {
     const nothing = new Float32Array();
-    const bytes = science.wav(left ?? nothing, right ?? nothing, sampleRateHz);
+    const lost = JSON.stringify(gaps);
+    const bytes = science.wav(left ?? nothing, right ?? nothing, sampleRateHz, lost);
     return { response: bytes as Uint8Array<ArrayBuffer>, transfer: buffers([bytes]) };
   },
 

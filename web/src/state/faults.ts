@@ -23,6 +23,9 @@ export type FaultKey =
   | 'no-drop'
   | 'fault'
   | 'keep'
+  | 'series-full'
+  | 'series-known'
+  | 'series-storage'
   | 'archive'
   | 'archive-newer'
   | 'archive-storage';

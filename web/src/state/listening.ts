@@ -1,6 +1,6 @@
 /** Listening: the microphone to the engine, to the disk and to the screen, block by block. */
 import { signal } from '@preact/signals';
-import type { Gap, Listening, SoFar } from '../lab/index.ts';
+import type { Gap, Listening, Recording, SoFar } from '../lab/index.ts';
 import { keepAwake } from '../sound/awake.ts';
 import { LiveEnvelope } from '../sound/live-envelope.ts';
 import { type Microphone, MicrophoneError, openMicrophone } from '../sound/microphone.ts';
@@ -13,7 +13,7 @@ import { region, text } from '../text/language.ts';
 import { engine, faultOf } from './engine.ts';
 import { askToLast } from './lasting.ts';
 import { hush, tellAnswer, vibrate } from './telling.ts';
-import { busy, fail, fault, phase, processing, put } from './workspace.ts';
+import { busy, fail, fault, type Origin, phase, processing, put } from './workspace.ts';
 
 /** What runs by while listening. */
 export const live = signal<LiveEnvelope | null>(null);
@@ -42,8 +42,12 @@ const BINS_PER_SECOND = 200;
 /** Softer than this shows as nothing. */
 const SOFTEST_DB = -60;
 
+/** Who gets a recording when it ends. */
+type Taker = (name: string, recording: Recording, origin: Origin) => void | Promise<void>;
+
 /** A recording that goes on. */
 interface LiveRecording {
+  readonly taker: Taker;
   readonly microphone: Microphone;
   readonly listening: Listening;
   readonly writer: RecordingWriter;
@@ -63,7 +67,7 @@ interface LiveRecording {
 
 let current: LiveRecording | undefined;
 
-export async function listen(): Promise<void> {
+export async function listen(taker: Taker = put): Promise<void> {
   if (busy.peek()) return;
   // The microphone would record it.
   stop();
@@ -90,7 +94,7 @@ export async function listen(): Promise<void> {
         else noteSound();
       },
     });
-    current = await begin(microphone);
+    current = await begin(microphone, taker);
     processing.value = microphone.processing;
     for (const work of early) work(current);
     phase.value = { kind: 'listening' };
@@ -100,7 +104,7 @@ export async function listen(): Promise<void> {
   }
 }
 
-async function begin(microphone: Microphone): Promise<LiveRecording> {
+async function begin(microphone: Microphone, taker: Taker): Promise<LiveRecording> {
   const { rateHz } = microphone;
   const startedAt = Date.now();
   const date = new Date(startedAt).toLocaleString(region.peek());
@@ -127,6 +131,7 @@ async function begin(microphone: Microphone): Promise<LiveRecording> {
   });
   void askToLast();
   return {
+    taker,
     microphone,
     listening,
     writer,
@@ -212,7 +217,7 @@ export async function stopListening(atRest = false): Promise<void> {
   if (!ended) return;
   current = undefined;
   if (atRest) vibrate();
-  const { writer, listening, microphone, rest } = ended;
+  const { writer, listening, microphone, rest, taker } = ended;
   const { name, id } = writer.recording;
   level.value = 0;
   rest();
@@ -222,8 +227,9 @@ export async function stopListening(atRest = false): Promise<void> {
   const stored = await writer.finish();
   try {
     const storedAs = stored ? id : null;
-    put(name, await finished(listening, name), { storedAs, processing: microphone.processing });
-    if (atRest) tellAnswer();
+    const recording = await finished(listening, name);
+    await taker(name, recording, { storedAs, processing: microphone.processing });
+    if (atRest && taker === put) tellAnswer();
     await writer.close();
   } catch (error) {
     // Not closed: the recording is offered again when the page is loaded the next time.

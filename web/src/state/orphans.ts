@@ -29,7 +29,7 @@ export async function findOrphans(): Promise<void> {
   }
 }
 
-const forget = (id: string): void => {
+export const forget = (id: string): void => {
   orphans.value = orphans.peek().filter((recording) => recording.id !== id);
 };
 

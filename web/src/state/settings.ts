@@ -79,16 +79,26 @@ function set(next: Settings): void {
 }
 
 /** Changes settings of a group; `undefined` returns one to what is assumed. */
-export function change<G extends keyof Settings>(
+export function change<G extends keyof Settings>(group: G, changes: Changes<G>): void {
+  set(withChanges(settings.peek(), group, changes));
+}
+
+type Changes<G extends keyof Settings> = {
+  [K in keyof NonNullable<Settings[G]>]?: NonNullable<Settings[G]>[K] | undefined;
+};
+
+/** Settings with changes in a group; what is undefined is left out. */
+export function withChanges<G extends keyof Settings>(
+  from: Settings,
   group: G,
-  changes: { [K in keyof NonNullable<Settings[G]>]?: NonNullable<Settings[G]>[K] | undefined },
-): void {
-  const fields = Object.entries({ ...settings.peek()[group], ...changes });
+  changes: Changes<G>,
+): Settings {
+  const fields = Object.entries({ ...from[group], ...changes });
   const stated = fields.filter(([, value]) => value !== undefined && value !== null);
-  const { [group]: _, ...others } = settings.peek();
-  set(
-    stated.length > 0 ? { ...others, [group]: Object.fromEntries(stated) } : (others as Settings),
-  );
+  const { [group]: _, ...others } = from;
+  return stated.length > 0
+    ? { ...others, [group]: Object.fromEntries(stated) }
+    : (others as Settings);
 }
 
 /** Whether a ball is stated by mass and diameter alone. */

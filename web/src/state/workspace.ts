@@ -125,10 +125,15 @@ export function lookAt(index: number): void {
   view.value = first && last ? framing(first.timeS, last.timeS, durationS) : whole(durationS);
 }
 
+/** Nothing is listened to or read any more; what lies in the workspace stays. */
+export function idle(): void {
+  phase.value = { kind: workspace.peek() ? 'ready' : 'empty' };
+}
+
 /** Shows what went wrong; what lies in the workspace stays. */
 export function fail(what: Fault): void {
   batch(() => {
     fault.value = what;
-    phase.value = { kind: workspace.peek() ? 'ready' : 'empty' };
+    idle();
   });
 }

@@ -49,19 +49,26 @@ const zipped = () => import('@zip.js/zip.js/lib/zip-core-custom.js');
 const PLAIN = { level: 0, useWebWorkers: false } as const;
 const CHECKED = { checkSignature: true, useWebWorkers: false } as const;
 
+/** Files as a ZIP; each is asked for when it is its turn. */
+export async function zip(
+  files: Iterable<readonly [path: string, content: () => Promise<Blob>]>,
+): Promise<Blob> {
+  const { BlobReader, BlobWriter, ZipWriter } = await zipped();
+  const writer = new ZipWriter(new BlobWriter('application/zip'), PLAIN);
+  for (const [path, content] of files) await writer.add(path, new BlobReader(await content()));
+  return writer.close();
+}
+
 /** Writes an archive; each sound is asked for when it is its turn. */
-export async function pack(
+export function pack(
   { drops, recordings }: Contents,
   wavOf: (recording: StoredRecording) => Promise<Blob>,
 ): Promise<Blob> {
-  const { BlobReader, BlobWriter, TextReader, ZipWriter } = await zipped();
-  const zip = new ZipWriter(new BlobWriter('application/zip'), PLAIN);
   const list = { schema: `${FORMAT}/${VERSION}`, drops, recordings };
-  await zip.add(LIST, new TextReader(JSON.stringify(list, null, 2)));
-  for (const recording of recordings) {
-    await zip.add(nameOf(recording), new BlobReader(await wavOf(recording)));
-  }
-  return zip.close();
+  return zip([
+    [LIST, async () => new Blob([JSON.stringify(list, null, 2)])],
+    ...recordings.map((recording) => [nameOf(recording), () => wavOf(recording)] as const),
+  ]);
 }
 
 /**

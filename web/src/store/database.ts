@@ -1,12 +1,21 @@
 /**
  * The browser's database, as promises. Two stores for sounds, so that a recording is written as it
- * comes: `recordings` says what each is, `blocks` holds the samples. `drops` holds what was kept.
+ * comes: `recordings` says what each is, `blocks` holds the samples. `drops` holds what was kept, `jobs` the files of
+ * test series, but for their recordings, which are in `sounds`.
  */
 
 const NAME = 'bouncelab';
-const VERSION = 1;
+const VERSION = 2;
 
-export type StoreName = 'recordings' | 'blocks' | 'drops';
+/** The stores, with what a value is found by. */
+const STORES = {
+  recordings: 'id',
+  blocks: ['recording', 'index'],
+  drops: 'id',
+  jobs: 'id',
+  sounds: ['job', 'file'],
+} as const;
+export type StoreName = keyof typeof STORES;
 
 let opened: Promise<IDBDatabase> | undefined;
 
@@ -20,9 +29,11 @@ function open(): Promise<IDBDatabase> {
     const request = indexedDB.open(NAME, VERSION);
     request.onupgradeneeded = () => {
       const database = request.result;
-      database.createObjectStore('recordings', { keyPath: 'id' });
-      database.createObjectStore('blocks', { keyPath: ['recording', 'index'] });
-      database.createObjectStore('drops', { keyPath: 'id' });
+      for (const [name, keyPath] of Object.entries(STORES)) {
+        if (!database.objectStoreNames.contains(name)) {
+          database.createObjectStore(name, { keyPath: keyPath as string | string[] });
+        }
+      }
     };
     request.onsuccess = () => {
       const database = request.result;

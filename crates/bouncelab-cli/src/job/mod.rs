@@ -2,24 +2,22 @@
 
 mod record;
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use bouncelab::rulebook::{self, Conditions, Decision, Item, Precision, Rebound, Rule};
-use bouncelab::{Plain, demo};
-use bouncelab_report::document::verdict::VerdictDocument;
+use bouncelab::Plain;
+use bouncelab::rulebook::{self, Rebound, Rule};
+use bouncelab_report::document::verdict::{Evaluation, VerdictDocument};
+use bouncelab_report::job::{Event, Rebounds, Recorded};
 use bouncelab_report::report::Provenance;
-use bouncelab_report::report::verdict::{MethodCheck, TestNotes};
-use bouncelab_report::rules;
+use bouncelab_report::report::verdict::{MethodCheck, TestNotes, of_verdict, so_far};
 use bouncelab_session::hash::{Hash, hash_of_file};
-use bouncelab_session::hash_of_build;
 use clap::{Args, Subcommand};
 use jiff::Zoned;
 use rayon::prelude::*;
-use record::{Job, Recorded};
+use record::Folder;
 use serde::Serialize;
 
-use crate::analyze::read;
+use crate::analyze::{Analysed, read};
 use crate::failure::Failure;
 use crate::interrupt::Stop;
 use crate::language::{text, text_with, translator};
@@ -27,7 +25,7 @@ use crate::listen::{self, Source};
 use crate::report::{OutputArguments, ReportFile, provenance, quoted, wrote};
 use crate::rules::Files;
 use crate::terminal::{print, print_json, say};
-use crate::verdict::{Format, Surface, Test, rebounds, setup_of_rule};
+use crate::verdict::{self, Format, rebounds};
 
 /// Test by a rule, drop after drop and place after place, and report it
 ///
@@ -178,7 +176,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
             folder,
             number,
             reason,
-        } => Job::open(folder)?.repeat(*number, &String::from(Plain::of(reason))),
+        } => Folder::open(folder)?.repeat(*number, String::from(Plain::of(reason))),
         What::Show {
             folder,
             format,
@@ -213,8 +211,8 @@ fn new(
     if !check.agrees() {
         return Err(Failure::Input(text("job-check-failed")));
     }
-    wrote(&Job::create(folder, &notes)?);
-    Job::open(folder)?.checked(check)
+    wrote(&Folder::create(folder, &notes)?);
+    Folder::open(folder)?.write(Event::Checked(check))
 }
 
 /// What a job is called: its folder, as a text of TOML.
@@ -225,197 +223,100 @@ fn name_of(folder: &Path) -> String {
     name.chars().filter(plain).collect()
 }
 
-/// A job with what follows from its notes.
-struct Opened {
-    job: Job,
-    rule: Rule,
-    setup: bouncelab::settings::Setup,
-    /// What results depend on besides the sound.
-    settings: Hash,
+/// Opens a job, and says what of its journal is damaged.
+fn opened(path: &Path) -> Result<Folder, Failure> {
+    let folder = Folder::open(path)?;
+    if folder.damaged > 0 {
+        let file = String::from(Plain::path(&folder.journal_file()));
+        let words = [("count", folder.damaged.into()), ("file", file.into())];
+        say(text_with("job-damaged", &words));
+    }
+    Ok(folder)
 }
 
-impl Opened {
-    fn new(folder: &Path) -> Result<Self, Failure> {
-        let job = Job::open(folder)?;
-        let files: Vec<PathBuf> = job
-            .notes
-            .rules
-            .iter()
-            .map(|path| folder.join(path))
-            .collect();
-        let rules = rules::all(&files)?;
-        let rule = rulebook::find(&rules, &job.notes.rule)?.clone();
-        let mut setup = setup_of_rule(&job.notes.settings, &rule, |settings| {
-            Ok(settings.resolve()?)
-        })?;
-        let kept = job.notes.kept.iter().map(|name| Item::stated(name));
-        setup.conditions.kept = kept.collect::<Result<_, _>>()?;
-        if job.damaged > 0 {
-            let words = [
-                ("count", job.damaged.into()),
-                (
-                    "file",
-                    String::from(Plain::path(&job.journal_file())).into(),
-                ),
-            ];
-            say(text_with("job-damaged", &words));
-        }
-        let settings = hash_of_build(&(&setup.options, &rule));
-        Ok(Self {
-            job,
-            rule,
-            setup,
-            settings,
-        })
-    }
-
-    /// The places in their order, the reference first.
-    fn places(&self) -> std::ops::RangeInclusive<usize> {
-        usize::from(!self.rule.needs_reference())..=self.job.notes.places
-    }
-
-    fn next_place(&self) -> Option<usize> {
-        self.places()
-            .find(|&place| self.job.drops(place) < self.job.notes.drops)
-    }
-
+impl Folder {
     /// The place that is meant, or the next with too few drops.
     fn place(&self, stated: Option<usize>) -> Result<Option<usize>, Failure> {
         match stated {
-            Some(place) if !self.places().contains(&place) => {
+            Some(place) if !self.job.places().contains(&place) => {
                 Err(Failure::Usage(format!("the job has no place {place}")))
             }
             Some(place) => Ok(Some(place)),
-            None => Ok(self.next_place()),
+            None => Ok(self.job.next_place()),
         }
     }
 
-    /// "place 2 of 5, drop 3 of 5", of the drop of this number.
     fn position(&self, place: usize, drop: usize) -> String {
-        let id = if place == 0 {
-            "job-reference"
-        } else {
-            "job-place"
-        };
-        let words = [
-            ("place", place.into()),
-            ("places", self.job.notes.places.into()),
-            ("drop", drop.into()),
-            ("drops", self.job.notes.drops.into()),
-        ];
-        text_with(id, &words)
+        self.job.position(place, drop, translator())
     }
 
-    /// The rebounds in a recording.
-    fn rebounds(&self, recorded: &Recorded) -> Result<Vec<Rebound>, Failure> {
-        self.job.result(recorded, self.settings, |path| {
-            let analysed = read(path, &self.setup.options, true)?;
-            Ok(rebounds(&analysed, &self.rule, &self.setup))
-        })
+    /// The rebounds in all recordings that count.
+    fn all_rebounds(&self) -> Result<Rebounds, Failure> {
+        let (history, options) = (&self.job.history, &self.job.setup.options);
+        let recorded = self.job.places().flat_map(|place| history.of_place(place));
+        let recorded: Vec<&Recorded> = recorded.collect();
+        let known = recorded.par_iter().map(|recorded| {
+            let make = |path: &Path| Ok(self.found(&read(path, options, true)?));
+            Ok((recorded.number, self.rebounds(recorded, make)?))
+        });
+        known.collect()
     }
 
-    /// The rebounds of places.
-    fn surface(&self, places: impl Iterator<Item = usize>) -> Result<Surface, Failure> {
-        let mut surface = Surface::default();
-        for place in places {
-            let recorded: Vec<&Recorded> = self.job.of_place(place).collect();
-            if recorded.is_empty() {
-                continue;
-            }
-            let of_place = recorded.par_iter().map(|recorded| self.rebounds(recorded));
-            let of_place: Vec<Vec<Rebound>> = of_place.collect::<Result<_, Failure>>()?;
-            surface.push(place_name(place), of_place.concat());
-        }
-        Ok(surface)
+    fn found(&self, analysed: &Analysed) -> Vec<Rebound> {
+        rebounds(analysed, &self.job.rule, &self.job.setup)
+    }
+
+    /// The verdict on all that was recorded.
+    fn evaluation(&self) -> Result<Evaluation, Failure> {
+        Ok(self.job.evaluation(&self.all_rebounds()?, translator())?)
+    }
+
+    /// What the report states.
+    fn test(&self) -> Result<TestNotes, Failure> {
+        Ok(self.job.test(&self.all_rebounds()?, method_check()?))
     }
 
     /// Keeps a recording of one or more drops, and counts it.
-    fn count(
-        &mut self,
-        path: &Path,
-        place: usize,
-        given_as: String,
-        operator: Option<&str>,
-    ) -> Result<(), Failure> {
+    fn count(&mut self, path: &Path, place: usize, given: Given<'_>) -> Result<(), Failure> {
         let sha256 = hash_of_file(path)?;
-        let mut recorded = self.job.recorded.iter();
-        if let Some(same) = recorded.find(|recorded| recorded.sha256 == sha256) {
-            return Err(Failure::Usage(format!(
-                "{} is recording {} of the job; each recording counts once",
-                Plain::path(path),
-                same.number
-            )));
-        }
-        let analysed = read(path, &self.setup.options, false)?;
+        self.must_be_new(path, sha256)?;
+        let analysed = read(path, &self.job.setup.options, false)?;
         if let Some(reason) = analysed.no_drop() {
             return Err(Failure::Input(reason));
         }
-        let (file, number) = self.job.numbered(&self.job.keep(path)?);
+        let (file, number) = self.numbered(&self.keep(path)?);
+        let operator = given.operator.unwrap_or(&self.job.notes.test.operator);
         let recorded = Recorded {
             number,
             place,
             drops: analysed.result.drops.len(),
             file,
             sha256,
-            given_as,
-            operator: String::from(Plain::of(operator.unwrap_or(&self.job.notes.test.operator))),
+            played: given.played,
+            given_as: given.name,
+            operator: String::from(Plain::of(operator)),
             added: Zoned::now().strftime("%Y-%m-%d %H:%M:%S %z").to_string(),
             repeated: None,
         };
-        self.job.add(recorded.clone())?;
-        let found = rebounds(&analysed, &self.rule, &self.setup);
-        self.job.result(&recorded, self.settings, |_| Ok(found))?;
-        print(format!(
-            "{number}  {}\n",
-            self.position(place, self.job.drops(place))
-        ))
+        self.write(Event::Added(recorded.clone()))?;
+        self.rebounds(&recorded, |_| Ok(self.found(&analysed)))?;
+        let drops = self.job.history.drops(place);
+        print(format!("{number}  {}\n", self.position(place, drops)))
     }
 
-    /// How drops repeat over operators, if several dropped the ball in the only place. Over places it would be unknown what
-    /// differs by the operator.
-    fn of_operators(&self) -> Result<Option<Precision>, Failure> {
-        if self.job.notes.places > 1 {
-            return Ok(None);
-        }
-        let mut levels: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
-        for recorded in self.job.of_place(1) {
-            let heights_m = self.rebounds(recorded)?.into_iter();
-            let of_operator = levels.entry(&recorded.operator).or_default();
-            of_operator.extend(heights_m.filter_map(|rebound| rebound.height_m));
-        }
-        Ok(Precision::of(&levels.into_values().collect::<Vec<_>>()))
-    }
-
-    /// What the report states, with the checks of the method at the start and now.
-    fn notes(&self) -> Result<TestNotes, Failure> {
-        let checks = self.job.checks.iter().cloned();
-        Ok(TestNotes {
-            checks: checks.chain([method_check()?]).collect(),
-            of_operators: self.of_operators()?,
-            ..self.job.notes.test.clone()
-        })
-    }
-
-    /// The verdict on all that was recorded.
-    fn test(&self) -> Result<Test<'_>, Failure> {
-        let reference = self.surface(std::iter::once(0))?;
-        let surface = self.surface(1..=self.job.notes.places)?;
-        Test::new(
-            &self.rule,
-            &self.setup,
-            surface,
-            reference,
-            Decision::default(),
-        )
+    /// Prints the result so far.
+    fn print_so_far(&self) -> Result<(), Failure> {
+        print(so_far(&self.evaluation()?.verdict, translator()) + "\n")
     }
 }
 
-fn place_name(place: usize) -> String {
-    if place == 0 {
-        text("verdict-item-reference")
-    } else {
-        text_with("job-place-name", &[("place", place.into())])
-    }
+/// How a recording came into the job.
+struct Given<'a> {
+    /// The name under which it was given.
+    name: String,
+    /// The recording that was played in place of the microphone.
+    played: Option<Hash>,
+    operator: Option<&'a str>,
 }
 
 fn add(
@@ -424,21 +325,26 @@ fn add(
     place: Option<usize>,
     operator: Option<&str>,
 ) -> Result<(), Failure> {
-    let mut opened = Opened::new(folder)?;
+    let mut folder = opened(folder)?;
     for path in files {
-        let Some(place) = opened.place(place)? else {
+        let Some(place) = folder.place(place)? else {
             return Err(Failure::Usage(
                 "every place has its drops; state one with --place to add more".to_owned(),
             ));
         };
-        opened.count(path, place, String::from(Plain::path(path)), operator)?;
+        let given = Given {
+            name: String::from(Plain::path(path)),
+            played: None,
+            operator,
+        };
+        folder.count(path, place, given)?;
     }
-    print(opened.test()?.so_far() + "\n")
+    folder.print_so_far()
 }
 
 /// Records drop after drop. The job is read anew for each: another terminal may have a drop repeated.
 fn listen(
-    folder: &Path,
+    path: &Path,
     stated: Option<usize>,
     operator: Option<&str>,
     sources: impl Iterator<Item = Source>,
@@ -446,27 +352,34 @@ fn listen(
     let stop = Stop::on_request();
     let mut added = 0;
     for source in sources {
-        let mut opened = Opened::new(folder)?;
-        let Some(place) = opened.place(stated)? else {
+        let mut folder = opened(path)?;
+        let Some(place) = folder.place(stated)? else {
             break;
         };
-        say(opened.position(place, opened.job.drops(place) + 1));
-        let file = opened.job.free("wav");
-        let mut setup = opened.setup.clone();
+        let played = source.from.as_deref().map(hash_of_file).transpose()?;
+        // Before it is played: what is played is saved.
+        if let Some((from, content)) = source.from.as_deref().zip(played) {
+            folder.must_be_new(from, content)?;
+        }
+        say(folder.position(place, folder.job.history.drops(place) + 1));
+        let file = folder.free("wav");
+        let mut setup = folder.job.setup.clone();
         // Only whether the drop is over matters now; it is analysed as a recording of the job.
         setup.options.inference = None;
-        let listened = listen::one_drop(&source, setup, &file);
-        if listened.is_err() && stop.requested() {
+        let recorded = listen::one_drop(&source, setup, &file);
+        if recorded.is_err() && stop.requested() {
             break;
         }
-        listened?;
+        recorded?;
         let microphone = || text("job-microphone");
-        let given_as = source
-            .from
-            .as_ref()
-            .map_or_else(microphone, |from| String::from(Plain::path(from)));
-        opened.count(&file, place, given_as, operator)?;
-        print(opened.test()?.so_far() + "\n")?;
+        let from = source.from.as_ref();
+        let given = Given {
+            name: from.map_or_else(microphone, |from| String::from(Plain::path(from))),
+            played,
+            operator,
+        };
+        folder.count(&file, place, given)?;
+        folder.print_so_far()?;
         added += 1;
     }
     if added == 0 {
@@ -476,54 +389,57 @@ fn listen(
 }
 
 fn show(
-    folder: &Path,
+    path: &Path,
     format: Format,
     report: Option<&Path>,
     one_page: bool,
     outputs: &OutputArguments,
 ) -> Result<(), Failure> {
-    let opened = Opened::new(folder)?;
-    let sounds = opened
-        .job
-        .recorded
-        .iter()
-        .map(|recorded| folder.join(&recorded.file))
-        .chain([opened.job.journal_file()]);
+    let folder = opened(path)?;
+    let job = &folder.job;
+    let recorded = job.history.recorded.iter();
+    let sounds = recorded
+        .clone()
+        .map(|recorded| path.join(&recorded.file))
+        .chain([folder.journal_file()]);
     let outputs = outputs.outputs(sounds);
     let report = report
         .map(|path| ReportFile::new(path, &outputs))
         .transpose()?;
-    let test = opened.test()?;
+    let evaluation = folder.evaluation()?;
     if let Some(file) = report {
-        let recorded = opened.job.recorded.iter();
-        let files =
-            recorded.map(|recorded| (line(recorded, "\n    "), recorded.sha256.to_string()));
         let provenance = Provenance {
-            files: files.collect(),
+            files: job.files(translator()),
             ..provenance()
         };
         let notes = TestNotes {
             one_page,
-            ..opened.notes()?
+            ..folder.test()?
         };
-        file.write(&test.page(&provenance, Some(&notes)))?;
+        file.write(&of_verdict(
+            &evaluation,
+            &provenance,
+            Some(&notes),
+            translator(),
+        ))?;
     }
     match format {
         Format::Text => {
-            let lines = opened
-                .job
-                .recorded
-                .iter()
-                .map(|recorded| format!("{:3}  {}\n", recorded.number, line(recorded, "  ")));
-            let places = opened
+            let lines = recorded.map(|recorded| {
+                let file = Plain::path(&recorded.file);
+                let line = recorded.line(translator());
+                format!("{:3}  {file}  {line}\n", recorded.number)
+            });
+            let places = job
                 .places()
-                .map(|place| opened.position(place, opened.job.drops(place)) + "\n");
-            print(lines.chain(places).collect::<String>() + "\n" + &test.text())?;
-            for sound in opened.job.uncounted()? {
+                .map(|place| folder.position(place, job.history.drops(place)) + "\n");
+            let verdict = verdict::text(&evaluation);
+            print(lines.chain(places).collect::<String>() + "\n" + &verdict)?;
+            for sound in folder.uncounted()? {
                 let file = String::from(Plain::path(&sound));
                 let command = format!(
                     "bouncelab job add {} {}",
-                    quoted(&folder.to_string_lossy()),
+                    quoted(&path.to_string_lossy()),
                     quoted(&sound.to_string_lossy())
                 );
                 let words = [("file", file.into()), ("command", command.into())];
@@ -531,12 +447,12 @@ fn show(
             }
         }
         Format::Json => print_json(&JobDocument {
-            verdict: test.document(),
-            test: opened.notes()?,
-            recordings: &opened.job.recorded,
+            verdict: VerdictDocument::new(&evaluation, translator()),
+            test: folder.test()?,
+            recordings: &job.history.recorded,
         })?,
     }
-    test.status()
+    verdict::status(evaluation.verdict.outcome)
 }
 
 /// The verdict on a job, with what its report states.
@@ -548,44 +464,8 @@ struct JobDocument<'a> {
     recordings: &'a [Recorded],
 }
 
-/// The method on a synthesised recording: from the sound to the height of the first rebound.
+/// The check of the method, today.
 fn method_check() -> Result<MethodCheck, Failure> {
-    let history = demo::history()?;
-    let sound = demo::sound(&history, 1)?;
-    let mut options = demo::settings().resolve()?.options;
-    options.inference = None;
-    let recording = bouncelab::analyze(&sound.samples, sound.sample_rate_hz, &options)?;
-    let place = vec![recording.drops.iter().collect()];
-    let rule = Rule::new("check", "check of the method", demo::DROP_HEIGHT_M);
-    let nothing = Conditions::default();
-    let verdict = rulebook::judge(&rule, &options, &nothing, &place, &[], Decision::default())?;
-    Ok(MethodCheck {
-        made: Zoned::now().strftime("%Y-%m-%d").to_string(),
-        version: env!("CARGO_PKG_VERSION").to_owned(),
-        truth_m: history
-            .bounces()
-            .first()
-            .map_or(0.0, |bounce| bounce.flight.apex_m),
-        found_m: verdict.rebound.map(|mean| mean.height_m),
-    })
-}
-
-/// A recording: its file, and what is known of it.
-fn line(recorded: &Recorded, between: &str) -> String {
-    let place = place_name(recorded.place);
-    let file = String::from(Plain::path(&recorded.file));
-    let repeated = recorded
-        .repeated
-        .as_ref()
-        .map_or_else(String::new, |reason| {
-            let reason = String::from(Plain::of(reason));
-            format!(
-                " ({})",
-                text_with("job-repeated", &[("reason", reason.into())])
-            )
-        });
-    let about = [&recorded.given_as, &recorded.operator, &recorded.added];
-    let about = about.into_iter().filter(|part| !part.is_empty());
-    let about: Vec<&str> = about.map(String::as_str).collect();
-    format!("{file}{between}{place}  {}{repeated}", about.join("  "))
+    let today = Zoned::now().strftime("%Y-%m-%d").to_string();
+    Ok(MethodCheck::run(today)?)
 }

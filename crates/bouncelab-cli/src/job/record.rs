@@ -1,4 +1,4 @@
-//! A job on disk: its notes, its sounds, and the journal of its drops.
+//! A job in a folder: its notes, its sounds, and the journal of its drops.
 
 use std::collections::BTreeSet;
 use std::fmt::Display;
@@ -9,53 +9,21 @@ use std::path::{Path, PathBuf};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use bouncelab::Plain;
-use bouncelab::settings::Settings;
+use bouncelab::rulebook::{self, Rebound};
 use bouncelab_report::file::{Outputs, create_folder, read_noted, remove_drafts};
-use bouncelab_report::mark;
-use bouncelab_report::report::verdict::{MethodCheck, TestNotes};
-use bouncelab_session::hash::{Hash, hash, hash_of_file};
+use bouncelab_report::job::{Event, History, Job, NOTES, Notes, Recorded, SOUNDS, file_name};
+use bouncelab_report::report::verdict::TestNotes;
+use bouncelab_report::{mark, rules};
+use bouncelab_session::BUILD;
+use bouncelab_session::hash::{Hash, hash_of_file};
 use bouncelab_session::journal::{JOURNAL, Journal, Key};
-use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
+use crate::verdict::setup_of_rule;
 
-/// Name and version of the format.
-const SCHEMA: &str = "bouncelab.job/2";
-/// The notes, which people write.
-const NOTES: &str = "job.toml";
-/// The folder of the recordings.
-const SOUNDS: &str = "sounds";
 /// No notes are longer.
 const MAX_MB: u64 = 2;
-
-/// What a person states of a job.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Notes {
-    schema: String,
-    /// Name of the rule.
-    pub(super) rule: String,
-    /// Files with rules of one's own, relative to the job.
-    #[serde(default)]
-    pub(super) rules: Vec<PathBuf>,
-    /// How many places are tested.
-    pub(super) places: usize,
-    /// How many drops in each place, and on the reference.
-    pub(super) drops: usize,
-    /// Parts of the procedure that were kept and that nothing else shows.
-    #[serde(default)]
-    pub(super) kept: Vec<String>,
-    /// A file with name, address and logo of the laboratory, relative to the job.
-    #[serde(default)]
-    laboratory: Option<PathBuf>,
-    /// What the report states.
-    #[serde(default)]
-    pub(super) test: TestNotes,
-    /// Any setting, by the names of the JSON.
-    #[serde(default)]
-    pub(super) settings: Settings,
-}
 
 /// A laboratory, for all of its jobs.
 #[derive(Deserialize)]
@@ -103,153 +71,70 @@ fn unreadable<R: Display>(path: &Path) -> impl Fn(R) -> Failure {
     move |reason| Failure::Input(format!("{}: {reason}", Plain::path(path)))
 }
 
-/// What happened in a job, a line of the journal.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "event", rename_all = "kebab-case")]
-enum Event {
-    /// The method was checked, at the start.
-    Checked(MethodCheck),
-    /// It was added.
-    Added(Recorded),
-    /// It does not count any more: why. Its sound is kept.
-    Repeated { number: usize, reason: String },
-}
-
-/// A recording of a job.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) struct Recorded {
-    /// Its number, 1 for the first.
-    pub(super) number: usize,
-    /// The place, 1 for the first; 0 is the reference.
-    pub(super) place: usize,
-    /// How many drops it holds.
-    pub(super) drops: usize,
-    /// Its file, relative to the job.
-    pub(super) file: PathBuf,
-    /// The SHA-256 of this file.
-    pub(super) sha256: Hash,
-    /// The name under which it was given.
-    pub(super) given_as: String,
-    /// Who dropped the ball, if that was stated.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
-    pub(super) operator: String,
-    /// Date and time.
-    pub(super) added: String,
-    /// Why it was repeated, if it was.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub(super) repeated: Option<String>,
-}
-
-impl Recorded {
-    /// What its results are called in the journal.
-    fn name(&self) -> String {
-        self.file.to_string_lossy().into_owned()
-    }
-
-    fn key(&self, settings: Hash) -> Key {
-        Key {
-            content: self.sha256,
-            settings,
-        }
-    }
-}
-
-/// A job.
-pub(super) struct Job {
-    folder: PathBuf,
-    pub(super) notes: Notes,
-    pub(super) recorded: Vec<Recorded>,
-    /// The checks of the method at its start.
-    pub(super) checks: Vec<MethodCheck>,
+/// A job in its folder.
+pub(super) struct Folder {
+    path: PathBuf,
+    pub(super) job: Job,
     /// How many lines of the journal are damaged, and do not count.
     pub(super) damaged: usize,
 }
 
-impl Job {
+impl Folder {
     /// Makes the folder of a job with notes to fill in.
-    pub(super) fn create(folder: &Path, notes: &str) -> Result<PathBuf, Failure> {
-        let path = folder.join(NOTES);
-        let made = create_folder(&folder.join(SOUNDS)).and_then(|()| {
-            if path.exists() {
+    pub(super) fn create(path: &Path, notes: &str) -> Result<PathBuf, Failure> {
+        let file = path.join(NOTES);
+        let made = create_folder(&path.join(SOUNDS)).and_then(|()| {
+            if file.exists() {
                 return Err(io::ErrorKind::AlreadyExists.into());
             }
-            Outputs::default().write(&path, mark::DATA, notes.as_bytes())
+            Outputs::default().write(&file, mark::DATA, notes.as_bytes())
         });
-        made.map_err(|reason| Failure::unwritable(&path, &reason))?;
-        Ok(path)
+        made.map_err(|reason| Failure::unwritable(&file, &reason))?;
+        Ok(file)
     }
 
     /// Reads a job.
-    pub(super) fn open(folder: &Path) -> Result<Self, Failure> {
-        let path = folder.join(NOTES);
-        let mut notes: Notes = toml::from_str(&noted(&path)?).map_err(unreadable(&path))?;
-        if notes.schema != SCHEMA {
-            return Err(unreadable(&path)(format!(
-                "the schema must be \"{SCHEMA}\""
-            )));
-        }
+    pub(super) fn open(path: &Path) -> Result<Self, Failure> {
+        let file = path.join(NOTES);
+        let mut notes = Notes::read(&noted(&file)?).map_err(unreadable(&file))?;
         if let Some(laboratory) = &notes.laboratory {
-            Laboratory::read(&folder.join(laboratory), &mut notes.test)?;
+            Laboratory::read(&path.join(laboratory), &mut notes.test)?;
         }
-        let mut job = Self {
-            folder: folder.to_owned(),
-            notes,
-            recorded: Vec::new(),
-            checks: Vec::new(),
+        let files: Vec<PathBuf> = notes.rules.iter().map(|rules| path.join(rules)).collect();
+        let rule = rulebook::find(&rules::all(&files)?, &notes.rule)?.clone();
+        let setup = setup_of_rule(&notes.settings, &rule, |settings| Ok(settings.resolve()?))?;
+        let mut folder = Self {
+            path: path.to_owned(),
+            job: Job::new(notes, rule, setup, &BUILD)?,
             damaged: 0,
         };
-        let journal = job.journal()?;
-        job.damaged = journal.damaged();
-        for event in journal.all(&events()).map_err(|fault| of_journal(&fault))? {
-            job.apply(event);
+        let journal = folder.journal()?;
+        folder.damaged = journal.damaged();
+        let events = journal.all(&History::events());
+        for event in events.map_err(|fault| of_journal(&fault))? {
+            folder.job.history.apply(event);
         }
-        Ok(job)
+        Ok(folder)
     }
 
     /// The journal, for a moment: while it is open, others wait who listen, add or show.
     fn journal(&self) -> Result<Journal, Failure> {
-        Journal::open_in_turn(&self.folder).map_err(|fault| of_journal(&fault))
+        Journal::open_in_turn(&self.path).map_err(|fault| of_journal(&fault))
     }
 
-    fn apply(&mut self, event: Event) {
-        match event {
-            Event::Checked(check) => self.checks.push(check),
-            Event::Added(recorded) => self.recorded.push(recorded),
-            Event::Repeated { number, reason } => {
-                let of_number = |recorded: &&mut Recorded| recorded.number == number;
-                if let Some(recorded) = self.recorded.iter_mut().find(of_number) {
-                    recorded.repeated = Some(reason);
-                }
-            }
-        }
-    }
-
-    /// The recordings that count in a place; 0 is the reference.
-    pub(super) fn of_place(&self, place: usize) -> impl Iterator<Item = &Recorded> {
-        self.recorded
-            .iter()
-            .filter(move |recorded| recorded.place == place && recorded.repeated.is_none())
-    }
-
-    /// How many drops count in a place.
-    pub(super) fn drops(&self, place: usize) -> usize {
-        self.of_place(place).map(|recorded| recorded.drops).sum()
-    }
-
-    /// The result of a recording under these settings, from the journal or, if it has none, made of the file, which must
+    /// The rebounds in a recording, from the journal or, if it has none under these settings, made of the file, which must
     /// be as it was added.
-    pub(super) fn result<R: Serialize + DeserializeOwned>(
+    pub(super) fn rebounds(
         &self,
         recorded: &Recorded,
-        settings: Hash,
-        make: impl FnOnce(&Path) -> Result<R, Failure>,
-    ) -> Result<R, Failure> {
-        let path = self.folder.join(&recorded.file);
+        make: impl FnOnce(&Path) -> Result<Vec<Rebound>, Failure>,
+    ) -> Result<Vec<Rebound>, Failure> {
+        let path = self.path.join(&recorded.file);
         if hash_of_file(&path)? != recorded.sha256 {
             let changed = "it was changed since it was added: its SHA-256 is another";
             return Err(Failure::Input(format!("{}: {changed}", Plain::path(&path))));
         }
-        let (name, key) = (recorded.name(), recorded.key(settings));
+        let (name, key) = (recorded.name(), recorded.key(self.job.settings));
         if let Some(known) = self
             .journal()?
             .read(&name, &key)
@@ -264,18 +149,14 @@ impl Job {
 
     /// A name for the next recording that no file has: a sound without a line, as after a crash, is kept too.
     pub(super) fn free(&self, ending: &str) -> PathBuf {
-        let after = self.recorded.last().map_or(1, |last| last.number + 1);
-        let mut names = (after..).map(|number| {
-            self.folder
-                .join(SOUNDS)
-                .join(format!("{number:03}.{ending}"))
-        });
-        names.find(|path| !path.exists()).unwrap_or_default()
+        let names = (self.job.history.next_number()..).map(|number| file_name(number, ending));
+        let mut paths = names.map(|name| self.path.join(SOUNDS).join(name));
+        paths.find(|path| !path.exists()).unwrap_or_default()
     }
 
     /// Keeps a copy of a recording, whole or not at all; one that is among the sounds is where it belongs.
     pub(super) fn keep(&self, path: &Path) -> Result<PathBuf, Failure> {
-        let sounds = self.folder.join(SOUNDS);
+        let sounds = self.path.join(SOUNDS);
         let is_here =
             path.canonicalize()?.parent().map(Path::to_owned) == sounds.canonicalize().ok();
         if is_here {
@@ -296,69 +177,54 @@ impl Job {
         Ok(kept)
     }
 
-    /// Writes down a recording that is among the sounds: from now on it counts.
-    pub(super) fn add(&mut self, recorded: Recorded) -> Result<(), Failure> {
-        self.write(&recorded.clone(), Event::Added(recorded))
-    }
-
     /// The file of a sound, relative to the job, and its number.
     pub(super) fn numbered(&self, kept: &Path) -> (PathBuf, usize) {
         let file = Path::new(SOUNDS).join(kept.file_name().unwrap_or_default());
-        let after = self.recorded.last().map_or(1, |last| last.number + 1);
         let stated = file
             .file_stem()
             .and_then(|stem| stem.to_str()?.parse().ok());
-        (file, stated.unwrap_or(after))
-    }
-
-    /// Writes down a check of the method.
-    pub(super) fn checked(&mut self, check: MethodCheck) -> Result<(), Failure> {
-        let key = Key {
-            content: hash(check.made.as_bytes()),
-            settings: events(),
-        };
-        let event = Event::Checked(check);
-        self.append("check", &key, &event)?;
-        self.apply(event);
-        Ok(())
+        (file, stated.unwrap_or(self.job.history.next_number()))
     }
 
     /// Marks a recording as repeated.
-    pub(super) fn repeat(&mut self, number: usize, reason: &str) -> Result<(), Failure> {
-        let counts =
-            |recorded: &&Recorded| recorded.number == number && recorded.repeated.is_none();
-        let Some(recorded) = self.recorded.iter().find(counts).cloned() else {
+    pub(super) fn repeat(&mut self, number: usize, reason: String) -> Result<(), Failure> {
+        if self.job.history.counting(number).is_none() {
             return Err(Failure::Usage(format!(
                 "the job has no recording {number} that counts; `bouncelab job show` lists them"
             )));
-        };
-        let reason = reason.to_owned();
-        self.write(&recorded, Event::Repeated { number, reason })
+        }
+        self.write(Event::Repeated { number, reason })
+    }
+
+    /// Refuses a content that is a recording of the job already.
+    pub(super) fn must_be_new(&self, path: &Path, content: Hash) -> Result<(), Failure> {
+        match self.job.history.of_content(content) {
+            Some(same) => Err(Failure::Usage(format!(
+                "{} is recording {} of the job; each recording counts once",
+                Plain::path(path),
+                same.number
+            ))),
+            None => Ok(()),
+        }
     }
 
     /// The sounds that have no line, nor are copies of one that has: a crash or Ctrl-C came before it.
     pub(super) fn uncounted(&self) -> Result<Vec<PathBuf>, Failure> {
-        let known: BTreeSet<&Path> = self
+        let history = &self.job.history;
+        let known: BTreeSet<&Path> = history
             .recorded
             .iter()
             .map(|recorded| recorded.file.as_path())
             .collect();
-        let hashes: BTreeSet<Hash> = self
-            .recorded
-            .iter()
-            .map(|recorded| recorded.sha256)
-            .collect();
         let mut sounds = Vec::new();
-        for entry in fs::read_dir(self.folder.join(SOUNDS))? {
+        for entry in fs::read_dir(self.path.join(SOUNDS))? {
             let file = Path::new(SOUNDS).join(entry?.file_name());
             let is_hidden = file
                 .file_name()
                 .is_some_and(|name| name.as_encoded_bytes().starts_with(b"."));
-            let path = self.folder.join(&file);
-            if !is_hidden
-                && !known.contains(file.as_path())
-                && !hashes.contains(&hash_of_file(&path)?)
-            {
+            let path = self.path.join(&file);
+            let is_known = || known.contains(file.as_path());
+            if !is_hidden && !is_known() && history.of_content(hash_of_file(&path)?).is_none() {
                 sounds.push(path);
             }
         }
@@ -366,10 +232,11 @@ impl Job {
         Ok(sounds)
     }
 
-    /// Writes down what happened to a recording; it is on the disk when this returns.
-    fn write(&mut self, recorded: &Recorded, event: Event) -> Result<(), Failure> {
-        self.append(&recorded.name(), &recorded.key(events()), &event)?;
-        self.apply(event);
+    /// Writes down what happened; it is on the disk when this returns.
+    pub(super) fn write(&mut self, event: Event) -> Result<(), Failure> {
+        let (name, key) = self.job.history.line_of(&event);
+        self.append(&name, &key, &event)?;
+        self.job.history.apply(event);
         Ok(())
     }
 
@@ -383,13 +250,8 @@ impl Job {
 
     /// The journal's file.
     pub(super) fn journal_file(&self) -> PathBuf {
-        self.folder.join(JOURNAL)
+        self.path.join(JOURNAL)
     }
-}
-
-/// Under what the journal has events in place of results.
-fn events() -> Hash {
-    hash(SCHEMA.as_bytes())
 }
 
 /// A fault of the journal, without what a session advises: a job cannot name another folder for its output.

@@ -6,11 +6,11 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use bouncelab::Plain;
-use bouncelab::rulebook::{self, Decision, Item, Outcome, Rebound, Rule, Verdict};
+use bouncelab::rulebook::{self, Decision, Item, Outcome, Rebound, Rule};
 use bouncelab::settings::{Settings, Setup};
-use bouncelab_report::document::verdict::{Evaluation, VerdictDocument};
-use bouncelab_report::report::verdict::{TestNotes, of_verdict, so_far};
-use bouncelab_report::report::{Page, Provenance};
+use bouncelab_report::document::verdict::{Evaluation, Surface, VerdictDocument};
+use bouncelab_report::report::Provenance;
+use bouncelab_report::report::verdict::of_verdict;
 use bouncelab_session::hash::hash_of_file;
 use clap::{Args, ValueEnum};
 
@@ -22,6 +22,8 @@ use crate::rules::Files;
 use crate::settings::SettingsArguments;
 use crate::terminal::{print, print_json};
 use crate::units;
+
+pub(crate) use text::report as text;
 
 /// Test drops by the procedure of a rule: conforms, does not conform, or cannot decide
 ///
@@ -88,32 +90,17 @@ pub(crate) enum Format {
     Json,
 }
 
-/// Rebounds on the same surface, by place.
-#[derive(Default)]
-pub(crate) struct Surface {
-    names: Vec<String>,
-    places: Vec<Vec<Rebound>>,
-}
-
-impl Surface {
-    /// Each file is a place.
-    fn new(files: &[PathBuf], rule: &Rule, setup: &Setup) -> Result<Self, Failure> {
-        let mut surface = Self::default();
-        for file in files {
-            let analysed = read(file, &setup.options, false)?;
-            if let Some(reason) = analysed.no_drop() {
-                return Err(Failure::Input(reason));
-            }
-            surface.push(analysed.name.clone(), rebounds(&analysed, rule, setup));
+/// The rebounds in files, each of which is a place.
+fn surface(files: &[PathBuf], rule: &Rule, setup: &Setup) -> Result<Surface, Failure> {
+    let mut surface = Surface::default();
+    for file in files {
+        let analysed = read(file, &setup.options, false)?;
+        if let Some(reason) = analysed.no_drop() {
+            return Err(Failure::Input(reason));
         }
-        Ok(surface)
+        surface.push(analysed.name.clone(), rebounds(&analysed, rule, setup));
     }
-
-    /// Adds a place.
-    pub(crate) fn push(&mut self, name: String, rebounds: Vec<Rebound>) {
-        self.names.push(name);
-        self.places.push(rebounds);
-    }
+    Ok(surface)
 }
 
 /// The rebounds of the drops of a recording.
@@ -124,79 +111,13 @@ pub(crate) fn rebounds(analysed: &Analysed, rule: &Rule, setup: &Setup) -> Vec<R
         .collect()
 }
 
-/// A verdict and all that it rests on.
-pub(crate) struct Test<'a> {
-    rule: &'a Rule,
-    setup: &'a Setup,
-    decision: Decision,
-    verdict: Verdict,
-    /// Names of the places.
-    surface: Vec<String>,
-    reference: Vec<String>,
-}
-
-impl<'a> Test<'a> {
-    pub(crate) fn new(
-        rule: &'a Rule,
-        setup: &'a Setup,
-        surface: Surface,
-        reference: Surface,
-        decision: Decision,
-    ) -> Result<Self, Failure> {
-        let verdict = rulebook::judge_rebounds(
-            rule,
-            &setup.options,
-            &setup.conditions,
-            surface.places,
-            reference.places,
-            decision,
-        )?;
-        Ok(Self {
-            rule,
-            setup,
-            decision,
-            verdict,
-            surface: surface.names,
-            reference: reference.names,
-        })
-    }
-
-    fn evaluation(&self) -> Evaluation<'_> {
-        Evaluation {
-            rule: self.rule,
-            verdict: &self.verdict,
-            decision: self.decision,
-            files: &self.surface,
-            reference_files: &self.reference,
-            setup: self.setup,
-        }
-    }
-
-    /// The result of the drops so far in a line.
-    pub(crate) fn so_far(&self) -> String {
-        so_far(&self.verdict, translator())
-    }
-
-    pub(crate) fn text(&self) -> String {
-        text::report(&self.evaluation())
-    }
-
-    pub(crate) fn document(&self) -> VerdictDocument {
-        VerdictDocument::new(&self.evaluation(), translator())
-    }
-
-    pub(crate) fn page(&self, provenance: &Provenance, notes: Option<&TestNotes>) -> Page {
-        of_verdict(&self.evaluation(), provenance, notes, translator())
-    }
-
-    /// The exit status.
-    pub(crate) fn status(&self) -> Result<(), Failure> {
-        match self.verdict.outcome {
-            Outcome::Conforms => Ok(()),
-            Outcome::DoesNotConform => Err(Failure::NoPass(3)),
-            Outcome::CannotDecide => Err(Failure::NoPass(4)),
-            Outcome::ConformsAsFarAsShown => Err(Failure::NoPass(5)),
-        }
+/// The exit status of a verdict.
+pub(crate) fn status(outcome: Outcome) -> Result<(), Failure> {
+    match outcome {
+        Outcome::Conforms => Ok(()),
+        Outcome::DoesNotConform => Err(Failure::NoPass(3)),
+        Outcome::CannotDecide => Err(Failure::NoPass(4)),
+        Outcome::ConformsAsFarAsShown => Err(Failure::NoPass(5)),
     }
 }
 
@@ -242,21 +163,21 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .as_deref()
         .map(|path| ReportFile::new(path, &outputs))
         .transpose()?;
-    let surface = Surface::new(&arguments.files, rule, &setup)?;
-    let reference = Surface::new(&arguments.reference, rule, &setup)?;
-    let test = Test::new(rule, &setup, surface, reference, decision)?;
+    let here = surface(&arguments.files, rule, &setup)?;
+    let there = surface(&arguments.reference, rule, &setup)?;
+    let evaluation = Evaluation::new(rule, &setup, here, there, decision)?;
     if let Some(file) = report_file {
         let provenance = Provenance {
             files: hashes,
             ..provenance()
         };
-        file.write(&test.page(&provenance, None))?;
+        file.write(&of_verdict(&evaluation, &provenance, None, translator()))?;
     }
     match arguments.format {
-        Format::Text => print(test.text())?,
-        Format::Json => print_json(&test.document())?,
+        Format::Text => print(text(&evaluation))?,
+        Format::Json => print_json(&VerdictDocument::new(&evaluation, translator()))?,
     }
-    test.status()
+    status(evaluation.verdict.outcome)
 }
 
 /// Name and hash of each file, once each: the same drop counted twice would make a verdict seem more certain than it is.

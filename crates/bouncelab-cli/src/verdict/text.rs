@@ -14,7 +14,7 @@ use crate::analyze::{assumed, note};
 use crate::language::{text, text_with, translator};
 
 /// The verdict, the rebound by several definitions and why they differ, and remarks.
-pub(super) fn report(evaluation: &Evaluation<'_>) -> String {
+pub(crate) fn report(evaluation: &Evaluation) -> String {
     let Evaluation {
         rule,
         verdict,
@@ -22,13 +22,13 @@ pub(super) fn report(evaluation: &Evaluation<'_>) -> String {
         files,
         reference_files,
         setup,
-    } = *evaluation;
+    } = evaluation;
     let mut page = String::new();
     for line in of_rule(rule) {
         add(&mut page, &line);
     }
     add(&mut page, "");
-    for line in decided(verdict, decision) {
+    for line in decided(verdict, *decision) {
         add(&mut page, &line);
     }
     for because in because(verdict, translator()) {

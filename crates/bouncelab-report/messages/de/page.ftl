@@ -5,6 +5,7 @@ page-app-lab = Zuhören
 page-app-simulate = Simulieren
 page-app-paper = Artikel
 page-app-drops = Versuche
+page-app-series = Tests
 page-app-language = Sprache
 page-app-to-dark = Dunkel
 page-app-to-light = Hell
@@ -172,6 +173,15 @@ page-faults-link-do = Kopiere den ganzen Link, oder lies den Code noch einmal ei
 
 page-faults-no-drop-what = Darin ist kein springender Ball zu finden.
 page-faults-no-drop-do = Öffne sie im Labor: Dort kannst du sie anhören und Aufpralle markieren.
+
+page-faults-series-full-what = Der Speicher des Browsers ist voll: Dieser Versuch zählt noch nicht.
+page-faults-series-full-do = Was vorher gespeichert wurde, ist unverändert da. Speichere diesen Ton als Datei, lösche Versuche oder Reihen, die du nicht brauchst, und versuche es noch einmal.
+
+page-faults-series-known-what = Diese Aufnahme zählt schon.
+page-faults-series-known-do = Jede Aufnahme zählt einmal. Wähle die eines anderen Versuchs.
+
+page-faults-series-storage-what = Der Browser konnte es nicht speichern.
+page-faults-series-storage-do = Was vorher gespeichert wurde, ist unverändert da. Ein privates Fenster speichert nichts: Nimm ein gewöhnliches.
 
 page-faults-archive-what = Das ist keine vollständige Datei aufgehobener Versuche.
 page-faults-archive-do = Kopiere oder lade sie noch einmal und füge diese hinzu. Was hier aufgehoben ist, ist unverändert.
@@ -513,6 +523,7 @@ page-scan-refused = Die Kamera kann nicht benutzt werden. Erlaube sie in der Adr
 page-class-all-balls = Ball der { $count } gewählten
 page-class-all-surfaces = Untergrund der { $count } gewählten
 
+page-reason-counted = Es ist die Aufnahme { $number } dieser Reihe.
 page-reason-empty-content = Es sind keine Daten darin.
 page-reason-empty-sound = Sie hat einen Kopf, aber keinen Ton.
 page-reason-empty-time = Es steht keine Zeit darin.
@@ -578,3 +589,44 @@ page-reason-link-changed = Er wurde verändert oder ist unvollständig.
 page-reason-link-other-version = Eine andere Version dieser Seite hat ihn gemacht; lade die Seite neu.
 page-reason-link-times = Ein Link fasst 2 bis 1000 Aufpralle.
 page-reason-link-too-long = Der Versuch hat zu viele Aufpralle für einen QR-Code.
+
+page-series-title = Prüfreihe
+page-series-lead = Eine Prüfung nach einer Regel, Versuch für Versuch und Stelle für Stelle, mit dem Bericht eines Labors.
+page-series-known = In diesem Browser gespeichert
+page-series-open = Mit { $name } weitermachen
+page-series-delete = Löschen
+page-series-delete-hint = Ihre Aufnahmen gehen mit verloren. Speichere die Reihe vorher als ZIP, wenn du sie brauchst.
+page-series-delete-really = { $name } mit den Aufnahmen löschen
+page-series-new = Eine neue Reihe
+page-series-name = Name, etwa des Bodens oder des Balls
+page-series-ball = Ball
+page-series-places = Stellen
+page-series-drops = Versuche je Stelle
+page-series-as-the-rule = Was leer bleibt, ist wie von der Regel verlangt. Zuerst wird das Verfahren an einer synthetischen Aufnahme geprüft.
+page-series-begin = Reihe beginnen
+page-series-all = Alle Prüfreihen
+page-series-complete = Jede Stelle hat ihre Versuche.
+page-series-damaged = { $count ->
+    [one] Eine Zeile des Protokolls ist beschädigt und zählt nicht.
+   *[other] { $count } Zeilen des Protokolls sind beschädigt und zählen nicht.
+}
+page-series-files = Aufnahmen hinzufügen
+page-series-files-label = Aufnahmen der nächsten Versuche
+page-series-operator = Wer den Ball fallen lässt
+page-series-places-done = Fertige Stellen: { $done } von { $all }
+page-series-place-done = (fertig)
+page-series-recordings = Aufnahmen
+page-series-repeat = Versuch { $number } wiederholen
+page-series-reason = Warum er nicht zählt
+page-series-repeat-do = { $number } wiederholen; der Ton bleibt
+page-series-notes = Was der Bericht angibt
+page-series-notes-keep = Angaben speichern
+page-series-report = Bericht speichern (HTML)
+page-series-one-page = Seite für den Auftraggeber (HTML)
+page-series-zip = Ganze Reihe speichern (ZIP)
+page-series-zip-hint = Entpackt ist das ZIP ein Ordner für das Programm: bouncelab job show ORDNER. Es enthält jede Aufnahme mit ihrer SHA-256, auch die wiederholten.
+page-series-microphone = Mikrofon
+page-series-interrupted = Mikrofon, unterbrochen
+page-series-count-interrupted = Als nächsten Versuch zählen
+page-series-keep-again = Noch einmal versuchen
+page-series-save-sound = Ton als Datei speichern

@@ -7,6 +7,7 @@ page-app-lab = Listen
 page-app-simulate = Simulate
 page-app-paper = Paper
 page-app-drops = Drops
+page-app-series = Tests
 page-app-language = Language
 page-app-to-dark = Dark
 page-app-to-light = Light
@@ -174,6 +175,15 @@ page-faults-link-do = Copy the whole link, or scan the code again.
 
 page-faults-no-drop-what = No bouncing ball was found in it.
 page-faults-no-drop-do = Open it in the laboratory: there you can listen to it and mark impacts.
+
+page-faults-series-full-what = The storage of the browser is full: this drop does not count yet.
+page-faults-series-full-do = What was kept before is there, unchanged. Save this sound as a file, delete drops or series that you do not need, and try again.
+
+page-faults-series-known-what = This recording counts already.
+page-faults-series-known-do = Each recording counts once. Choose that of another drop.
+
+page-faults-series-storage-what = The browser could not store it.
+page-faults-series-storage-do = What was kept before is there, unchanged. A private window stores nothing: use an ordinary one.
 
 page-faults-archive-what = This is no whole file of kept drops.
 page-faults-archive-do = Copy or download it again, and add that one. What is kept here has not changed.
@@ -515,6 +525,7 @@ page-scan-refused = The camera cannot be used. Allow it in the address bar, or l
 page-class-all-balls = Ball of the { $count } chosen
 page-class-all-surfaces = Surface of the { $count } chosen
 
+page-reason-counted = It is recording { $number } of this series.
 page-reason-empty-content = It contains no data.
 page-reason-empty-sound = It has a header, but no sound.
 page-reason-empty-time = There is no time in it.
@@ -580,3 +591,44 @@ page-reason-link-changed = It was changed, or is incomplete.
 page-reason-link-other-version = Another version of this page made it; reload the page.
 page-reason-link-times = A link holds 2 to 1000 impacts.
 page-reason-link-too-long = The drop has too many impacts for a QR code.
+
+page-series-title = Test series
+page-series-lead = A test by a rule, drop after drop and place after place, with the report of a laboratory.
+page-series-known = Kept in this browser
+page-series-open = Go on with { $name }
+page-series-delete = Delete
+page-series-delete-hint = Its recordings go too. Save the series as a ZIP first if you need it.
+page-series-delete-really = Delete { $name } with its recordings
+page-series-new = A new series
+page-series-name = Name, as of the floor or the ball
+page-series-ball = Ball
+page-series-places = Places
+page-series-drops = Drops in each place
+page-series-as-the-rule = What you leave empty is as the rule asks for. The method is first checked on a synthesised recording.
+page-series-begin = Begin the series
+page-series-all = All test series
+page-series-complete = Every place has its drops.
+page-series-damaged = { $count ->
+    [one] A line of the journal is damaged and does not count.
+   *[other] { $count } lines of the journal are damaged and do not count.
+}
+page-series-files = add recordings
+page-series-files-label = Recordings of the next drops
+page-series-operator = Who drops the ball
+page-series-places-done = Places done: { $done } of { $all }
+page-series-place-done = (done)
+page-series-recordings = Recordings
+page-series-repeat = Repeat drop { $number }
+page-series-reason = Why it does not count
+page-series-repeat-do = Repeat { $number }; its sound stays
+page-series-notes = What the report states
+page-series-notes-keep = Keep what is stated
+page-series-report = Save the report (HTML)
+page-series-one-page = Page for the client (HTML)
+page-series-zip = Save the whole series (ZIP)
+page-series-zip-hint = Unpacked, the ZIP is a folder for the program: bouncelab job show FOLDER. It has every recording with its SHA-256, also those that were repeated.
+page-series-microphone = microphone
+page-series-interrupted = microphone, interrupted
+page-series-count-interrupted = Count it as the next drop
+page-series-keep-again = Try again
+page-series-save-sound = Save the sound as a file

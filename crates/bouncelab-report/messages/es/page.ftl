@@ -5,6 +5,7 @@ page-app-lab = Escuchar
 page-app-simulate = Simular
 page-app-paper = Artículo
 page-app-drops = Ensayos
+page-app-series = Pruebas
 page-app-language = Idioma
 page-app-to-dark = Oscuro
 page-app-to-light = Claro
@@ -175,6 +176,15 @@ page-faults-link-do = Copia el enlace entero, o lee el código otra vez.
 
 page-faults-no-drop-what = No se halló en él ninguna pelota que rebote.
 page-faults-no-drop-do = Ábrelo en el laboratorio: allí puedes escucharlo y marcar impactos.
+
+page-faults-series-full-what = El almacenamiento del navegador está lleno: este ensayo aún no cuenta.
+page-faults-series-full-do = Lo guardado antes sigue ahí, sin cambios. Guarda este sonido como archivo, elimina ensayos o series que no necesites e inténtalo de nuevo.
+
+page-faults-series-known-what = Esta grabación ya cuenta.
+page-faults-series-known-do = Cada grabación cuenta una vez. Elige la de otro ensayo.
+
+page-faults-series-storage-what = El navegador no pudo guardarlo.
+page-faults-series-storage-do = Lo guardado antes sigue ahí, sin cambios. Una ventana privada no guarda nada: usa una normal.
 
 page-faults-archive-what = Esto no es un archivo completo de ensayos guardados.
 page-faults-archive-do = Cópialo o descárgalo otra vez, y añade ese. Lo guardado aquí no ha cambiado.
@@ -516,6 +526,7 @@ page-scan-refused = No se puede usar la cámara. Permítela en la barra de direc
 page-class-all-balls = Pelota de los { $count } elegidos
 page-class-all-surfaces = Superficie de los { $count } elegidos
 
+page-reason-counted = Es la grabación { $number } de esta serie.
 page-reason-empty-content = No contiene datos.
 page-reason-empty-sound = Tiene una cabecera, pero ningún sonido.
 page-reason-empty-time = No contiene ningún tiempo.
@@ -581,3 +592,44 @@ page-reason-link-changed = Fue modificado o está incompleto.
 page-reason-link-other-version = Lo hizo otra versión de esta página; recarga la página.
 page-reason-link-times = Un enlace contiene de 2 a 1000 impactos.
 page-reason-link-too-long = El ensayo tiene demasiados impactos para un código QR.
+
+page-series-title = Serie de pruebas
+page-series-lead = Una prueba según una regla, ensayo por ensayo y lugar por lugar, con el informe de un laboratorio.
+page-series-known = Guardadas en este navegador
+page-series-open = Seguir con { $name }
+page-series-delete = Eliminar
+page-series-delete-hint = Sus grabaciones también se pierden. Guarda antes la serie como ZIP si la necesitas.
+page-series-delete-really = Eliminar { $name } con sus grabaciones
+page-series-new = Una serie nueva
+page-series-name = Nombre, por ejemplo del suelo o de la pelota
+page-series-ball = Pelota
+page-series-places = Lugares
+page-series-drops = Ensayos en cada lugar
+page-series-as-the-rule = Lo que dejes vacío será lo que pide la regla. Antes se comprueba el método con una grabación sintetizada.
+page-series-begin = Empezar la serie
+page-series-all = Todas las series
+page-series-complete = Cada lugar tiene sus ensayos.
+page-series-damaged = { $count ->
+    [one] Una línea del registro está dañada y no cuenta.
+   *[other] { $count } líneas del registro están dañadas y no cuentan.
+}
+page-series-files = añadir grabaciones
+page-series-files-label = Grabaciones de los próximos ensayos
+page-series-operator = Quién suelta la pelota
+page-series-places-done = Lugares completos: { $done } de { $all }
+page-series-place-done = (completo)
+page-series-recordings = Grabaciones
+page-series-repeat = Repetir el ensayo { $number }
+page-series-reason = Por qué no cuenta
+page-series-repeat-do = Repetir { $number }; el sonido se conserva
+page-series-notes = Lo que indica el informe
+page-series-notes-keep = Guardar los datos
+page-series-report = Guardar el informe (HTML)
+page-series-one-page = Página para el cliente (HTML)
+page-series-zip = Guardar toda la serie (ZIP)
+page-series-zip-hint = Descomprimido, el ZIP es una carpeta para el programa: bouncelab job show CARPETA. Contiene cada grabación con su SHA-256, también las repetidas.
+page-series-microphone = micrófono
+page-series-interrupted = micrófono, interrumpido
+page-series-count-interrupted = Contarla como el próximo ensayo
+page-series-keep-again = Intentarlo de nuevo
+page-series-save-sound = Guardar el sonido como archivo

@@ -5,6 +5,7 @@ page-app-lab = Écouter
 page-app-simulate = Simuler
 page-app-paper = Article
 page-app-drops = Essais
+page-app-series = Tests
 page-app-language = Langue
 page-app-to-dark = Sombre
 page-app-to-light = Clair
@@ -175,6 +176,15 @@ page-faults-link-do = Copie le lien entier, ou lis le code à nouveau.
 
 page-faults-no-drop-what = Aucune balle qui rebondit n’y a été trouvée.
 page-faults-no-drop-do = Ouvre-le dans le laboratoire : tu peux l’y écouter et marquer des impacts.
+
+page-faults-series-full-what = Le stockage du navigateur est plein : cet essai ne compte pas encore.
+page-faults-series-full-do = Ce qui a été conservé avant est là, inchangé. Enregistre ce son dans un fichier, supprime des essais ou des séries inutiles et réessaie.
+
+page-faults-series-known-what = Cet enregistrement compte déjà.
+page-faults-series-known-do = Chaque enregistrement compte une fois. Choisis celui d’un autre essai.
+
+page-faults-series-storage-what = Le navigateur n’a pas pu l’enregistrer.
+page-faults-series-storage-do = Ce qui a été conservé avant est là, inchangé. Une fenêtre privée ne conserve rien : prends une fenêtre ordinaire.
 
 page-faults-archive-what = Ce n’est pas un fichier complet d’essais conservés.
 page-faults-archive-do = Copie-le ou télécharge-le à nouveau, et ajoute celui-là. Ce qui est conservé ici n’a pas changé.
@@ -516,6 +526,7 @@ page-scan-refused = La caméra ne peut pas être utilisée. Autorise-la dans la 
 page-class-all-balls = Balle des { $count } choisis
 page-class-all-surfaces = Surface des { $count } choisis
 
+page-reason-counted = C’est l’enregistrement { $number } de cette série.
 page-reason-empty-content = Il ne contient aucune donnée.
 page-reason-empty-sound = Il a un en-tête, mais aucun son.
 page-reason-empty-time = Il ne contient aucun temps.
@@ -581,3 +592,44 @@ page-reason-link-changed = Il a été modifié ou est incomplet.
 page-reason-link-other-version = Une autre version de cette page l’a fait ; recharge la page.
 page-reason-link-times = Un lien contient de 2 à 1000 impacts.
 page-reason-link-too-long = L’essai a trop d’impacts pour un code QR.
+
+page-series-title = Série de tests
+page-series-lead = Un test selon une règle, essai par essai et emplacement par emplacement, avec le rapport d’un laboratoire.
+page-series-known = Conservées dans ce navigateur
+page-series-open = Continuer { $name }
+page-series-delete = Supprimer
+page-series-delete-hint = Ses enregistrements disparaissent aussi. Enregistre d’abord la série en ZIP si tu en as besoin.
+page-series-delete-really = Supprimer { $name } et ses enregistrements
+page-series-new = Une nouvelle série
+page-series-name = Nom, par exemple du sol ou de la balle
+page-series-ball = Balle
+page-series-places = Emplacements
+page-series-drops = Essais par emplacement
+page-series-as-the-rule = Ce qui reste vide est comme le demande la règle. La méthode est d’abord vérifiée sur un enregistrement synthétisé.
+page-series-begin = Commencer la série
+page-series-all = Toutes les séries
+page-series-complete = Chaque emplacement a ses essais.
+page-series-damaged = { $count ->
+    [one] Une ligne du journal est endommagée et ne compte pas.
+   *[other] { $count } lignes du journal sont endommagées et ne comptent pas.
+}
+page-series-files = ajouter des enregistrements
+page-series-files-label = Enregistrements des prochains essais
+page-series-operator = Qui lâche la balle
+page-series-places-done = Emplacements terminés : { $done } sur { $all }
+page-series-place-done = (terminé)
+page-series-recordings = Enregistrements
+page-series-repeat = Répéter l’essai { $number }
+page-series-reason = Pourquoi il ne compte pas
+page-series-repeat-do = Répéter { $number } ; le son reste
+page-series-notes = Ce que le rapport indique
+page-series-notes-keep = Enregistrer les données
+page-series-report = Enregistrer le rapport (HTML)
+page-series-one-page = Page pour le client (HTML)
+page-series-zip = Enregistrer toute la série (ZIP)
+page-series-zip-hint = Décompressé, le ZIP est un dossier pour le programme : bouncelab job show DOSSIER. Il contient chaque enregistrement avec son SHA-256, même ceux qui ont été répétés.
+page-series-microphone = microphone
+page-series-interrupted = microphone, interrompu
+page-series-count-interrupted = Le compter comme prochain essai
+page-series-keep-again = Réessayer
+page-series-save-sound = Enregistrer le son dans un fichier

@@ -102,26 +102,72 @@ struct Drop {
     predicted_m: Option<Estimate>,
 }
 
+/// Rebounds on the same surface, by place.
+#[derive(Clone, Debug, Default)]
+pub struct Surface {
+    names: Vec<String>,
+    places: Vec<Vec<rulebook::Rebound>>,
+}
+
+impl Surface {
+    /// Adds a place.
+    pub fn push(&mut self, name: String, rebounds: Vec<rulebook::Rebound>) {
+        self.names.push(name);
+        self.places.push(rebounds);
+    }
+}
+
 /// A verdict and all that it rests on.
-#[derive(Clone, Copy, Debug)]
-pub struct Evaluation<'a> {
+#[derive(Clone, Debug)]
+pub struct Evaluation {
     /// The rule that was applied.
-    pub rule: &'a Rule,
+    pub rule: Rule,
     /// The settings, given or assumed.
-    pub setup: &'a Setup,
+    pub setup: Setup,
     /// How it was decided.
     pub decision: Decision,
     /// The result.
-    pub verdict: &'a rulebook::Verdict,
+    pub verdict: rulebook::Verdict,
     /// Names of the places, in order.
-    pub files: &'a [String],
+    pub files: Vec<String>,
     /// Names of the places on the reference surface, in order.
-    pub reference_files: &'a [String],
+    pub reference_files: Vec<String>,
+}
+
+impl Evaluation {
+    /// Judges the rebounds on a surface and, for a rule that compares, on the reference.
+    ///
+    /// # Errors
+    /// As [`rulebook::judge_rebounds`].
+    pub fn new(
+        rule: &Rule,
+        setup: &Setup,
+        surface: Surface,
+        reference: Surface,
+        decision: Decision,
+    ) -> bouncelab::Result<Self> {
+        let verdict = rulebook::judge_rebounds(
+            rule,
+            &setup.options,
+            &setup.conditions,
+            surface.places,
+            reference.places,
+            decision,
+        )?;
+        Ok(Self {
+            rule: rule.clone(),
+            setup: setup.clone(),
+            decision,
+            verdict,
+            files: surface.names,
+            reference_files: reference.names,
+        })
+    }
 }
 
 impl VerdictDocument {
     /// The document of a verdict, with the sentences of its diagnostics.
-    pub fn new(evaluation: &Evaluation<'_>, translator: &Translator) -> Self {
+    pub fn new(evaluation: &Evaluation, translator: &Translator) -> Self {
         let Evaluation {
             rule,
             setup,
@@ -129,14 +175,14 @@ impl VerdictDocument {
             verdict,
             files,
             reference_files,
-        } = *evaluation;
+        } = evaluation;
         let mut document = Self {
             schema: SCHEMA,
             bouncelab: env!("CARGO_PKG_VERSION"),
             rule: RuleUsed::from(rule),
             settings: SettingsUsed::new(&setup.options, &setup.assumptions),
             decision: DecisionUsed {
-                rule: match decision {
+                rule: match *decision {
                     Decision::Guarded { .. } => "guarded",
                     Decision::Simple => "simple",
                 },

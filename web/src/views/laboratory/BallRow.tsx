@@ -1,6 +1,7 @@
 import { computed } from '@preact/signals';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { NumberField } from '../../app/NumberField.tsx';
+import { scaled } from '../../format/quantity.ts';
 import { catalogue } from '../../state/engine.ts';
 import { lesson } from '../../state/lesson.ts';
 import { change, chooseBall, isOwnBall, settings } from '../../state/settings.ts';
@@ -97,9 +98,6 @@ export function BallRow() {
     </fieldset>
   );
 }
-
-const scaled = (value: number | undefined, factor: number): number | undefined =>
-  value === undefined ? undefined : value * factor;
 
 /** The size and weight of another ball; the two are stated together, because one alone says nothing of the air. */
 function SizeAndWeight() {

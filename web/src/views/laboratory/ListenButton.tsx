@@ -3,8 +3,13 @@ import { level, listen, stopListening } from '../../state/listening.ts';
 import { busy, fault, phase, workspace } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 
+interface ListenButtonProps {
+  readonly small?: boolean;
+  readonly begin?: () => Promise<void>;
+}
+
 /** The button to listen. While listening its size follows the level of the sound. */
-export function ListenButton({ small = false }: { readonly small?: boolean }) {
+export function ListenButton({ small = false, begin = listen }: ListenButtonProps) {
   const now = phase.value.kind;
   const listening = now === 'listening';
   const waiting = busy.value && !listening;
@@ -31,7 +36,7 @@ export function ListenButton({ small = false }: { readonly small?: boolean }) {
       aria-pressed={listening}
       aria-disabled={waiting}
       ref={button}
-      onClick={() => void (listening ? stopListening() : listen())}
+      onClick={() => void (listening ? stopListening() : begin())}
     >
       {label}
     </button>

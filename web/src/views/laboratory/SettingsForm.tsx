@@ -1,5 +1,6 @@
 import { Choice } from '../../app/Choice.tsx';
 import { NumberField } from '../../app/NumberField.tsx';
+import { ABSOLUTE_ZERO_C, scaled } from '../../format/quantity.ts';
 import type { Inferred } from '../../lab/index.ts';
 import { catalogue } from '../../state/engine.ts';
 import { change, chooseBall, forgetSettings, isOwnBall, settings } from '../../state/settings.ts';
@@ -8,12 +9,8 @@ import { text } from '../../text/language.ts';
 import { ballName, lawChoices, nameIn, UNSTATED } from '../../text/names.ts';
 
 const OWN = 'own';
-const ABSOLUTE_ZERO_C = -273.15;
 /** The default last flight of the log-linear fit: the paper uses ten. */
 const USUAL_LAST = 10;
-
-const scaled = (value: number | undefined, factor: number): number | undefined =>
-  value === undefined ? undefined : value * factor;
 
 /** Whether a quantity, as it is stated, looks like a mistake of units. */
 function questionOf(quantity: string): string | undefined {

@@ -5,6 +5,7 @@ import { useAnswer, useLatest } from '../../chart/Figure.tsx';
 import type { JudgedPlace, RuleChoice, Settings, VerdictRequest } from '../../lab/index.ts';
 import { engine } from '../../state/engine.ts';
 import { text } from '../../text/language.ts';
+import { Kept } from './Kept.tsx';
 
 /** A place with its drops, and the surface that it is of. */
 export interface Place extends JudgedPlace {
@@ -65,23 +66,7 @@ export function Verdict({ settings, places }: VerdictProps) {
       {rule && !request && <p class="notice">{text('page-verdict-ball')}</p>}
       {request && judged && (
         <>
-          {judged.stated.length > 0 && (
-            <fieldset class="ticks">
-              <legend class="small">{text('page-verdict-kept')}</legend>
-              {judged.stated.map(({ name: part, label }) => (
-                <label key={part} class="check">
-                  <input
-                    type="checkbox"
-                    checked={kept.includes(part)}
-                    onChange={({ currentTarget: { checked } }) =>
-                      setKept(checked ? [...kept, part] : kept.filter((other) => other !== part))
-                    }
-                  />{' '}
-                  {label}
-                </label>
-              ))}
-            </fieldset>
-          )}
+          <Kept parts={judged.stated} kept={kept} onChange={setKept} />
           <Reported
             {...judged}
             label={text('page-verdict-report')}

@@ -16,19 +16,19 @@ use crate::figure;
 use crate::messages::{Translator, capital};
 use crate::rules;
 
-pub use notes::{MethodCheck, TestNotes};
+pub use notes::{MethodCheck, NoteField, TestNotes};
 pub use tables::{budget, drops as drop_table, precision, procedure, ways};
 pub use words::{because, by_rule, outcome, outcome_name, so_far};
 
 /// The page of a verdict: what was decided, the rule, the rebound in several ways, each drop, what was
 /// assumed, the method, and how to repeat it; with the notes of a laboratory the report of a test.
 pub fn of_verdict(
-    evaluation: &Evaluation<'_>,
+    evaluation: &Evaluation,
     provenance: &Provenance,
     notes: Option<&TestNotes>,
     translator: &Translator,
 ) -> Page {
-    let title = translator.with_colon(&rules::words::title(evaluation.rule, translator));
+    let title = translator.with_colon(&rules::words::title(&evaluation.rule, translator));
     let outcome = words::outcome_name(evaluation.verdict.outcome, translator);
     let made = provenance.made.as_deref();
     let cited = evaluation.rule.source.citation();
@@ -42,7 +42,7 @@ pub fn of_verdict(
             rebound(evaluation, of_operators.as_ref(), translator),
             the_rule(evaluation, translator),
             drops(evaluation, translator),
-            shared_conditions(evaluation.setup, translator),
+            shared_conditions(&evaluation.setup, translator),
             decision(translator),
             repeat(provenance, translator),
         ]
@@ -72,14 +72,14 @@ pub fn of_verdict(
     }
 }
 
-fn lead(evaluation: &Evaluation<'_>, with_result: bool, translator: &Translator) -> Vec<Block> {
-    let verdict = evaluation.verdict;
+fn lead(evaluation: &Evaluation, with_result: bool, translator: &Translator) -> Vec<Block> {
+    let verdict = &evaluation.verdict;
     let mut lead = vec![Block::Lead(words::outcome(verdict, translator))];
     lead.push(Block::text(
         words::by_rule(verdict, evaluation.decision, translator).join(" "),
     ));
     lead.extend(words::because(verdict, translator).map(Block::Note));
-    let chart = figure::verdict(evaluation.rule, verdict, evaluation.files, translator);
+    let chart = figure::verdict(&evaluation.rule, verdict, &evaluation.files, translator);
     lead.push(Block::figure("verdict", chart));
     if with_result {
         let ways = tables::ways(verdict, translator);
@@ -88,11 +88,11 @@ fn lead(evaluation: &Evaluation<'_>, with_result: bool, translator: &Translator)
     lead
 }
 
-fn the_rule(evaluation: &Evaluation<'_>, translator: &Translator) -> Section {
+fn the_rule(evaluation: &Evaluation, translator: &Translator) -> Section {
     let name = (translator.text("rule-name"), evaluation.rule.name.clone());
-    let facts = std::iter::once(name).chain(rules::words::facts(evaluation.rule, translator));
+    let facts = std::iter::once(name).chain(rules::words::facts(&evaluation.rule, translator));
     let facts = facts.map(|(name, value)| (capital(&name), value));
-    let checks = tables::procedure(evaluation.rule, &evaluation.verdict.procedure, translator);
+    let checks = tables::procedure(&evaluation.rule, &evaluation.verdict.procedure, translator);
     Section::new(
         translator.text("verdict-the-rule"),
         vec![
@@ -103,11 +103,11 @@ fn the_rule(evaluation: &Evaluation<'_>, translator: &Translator) -> Section {
 }
 
 fn rebound(
-    evaluation: &Evaluation<'_>,
+    evaluation: &Evaluation,
     of_operators: Option<&Precision>,
     translator: &Translator,
 ) -> Section {
-    let ways = tables::ways(evaluation.verdict, translator);
+    let ways = tables::ways(&evaluation.verdict, translator);
     let mut blocks = vec![Block::table(translator.text("verdict-ways"), ways)];
     let budgets = [
         ("verdict-budget", &evaluation.verdict.rebound),
@@ -137,19 +137,19 @@ fn rebound(
     }
     let remarks = evaluation.verdict.remarks.iter();
     let remarks = remarks.map(|remark| translator.diagnostic(&remark.diagnostic()));
-    let notes = remarks.chain(rules::words::note(evaluation.rule, translator));
+    let notes = remarks.chain(rules::words::note(&evaluation.rule, translator));
     blocks.extend(notes.map(|note| Block::Note(sentence(&note))));
     Section::new(translator.text("verdict-the-rebound"), blocks)
 }
 
-fn drops(evaluation: &Evaluation<'_>, translator: &Translator) -> Section {
-    let verdict = evaluation.verdict;
-    let drops = tables::drops(&verdict.drops, evaluation.files, translator);
+fn drops(evaluation: &Evaluation, translator: &Translator) -> Section {
+    let verdict = &evaluation.verdict;
+    let drops = tables::drops(&verdict.drops, &evaluation.files, translator);
     let mut blocks = vec![Block::table(translator.text("verdict-every-drop"), drops)];
     if !verdict.reference_drops.is_empty() {
         let drops = tables::drops(
             &verdict.reference_drops,
-            evaluation.reference_files,
+            &evaluation.reference_files,
             translator,
         );
         blocks.push(Block::table(
