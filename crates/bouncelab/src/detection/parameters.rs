@@ -26,8 +26,6 @@ pub(super) const OPEN_CROWD_DIVISOR: usize = 4;
 pub(super) const MIN_GAP_S: f64 = 3.2;
 /// Maximum delay after which an onset is detected, s.
 pub(super) const MAX_ONSET_DELAY_S: f64 = 0.3;
-/// Time before and after a train in which more of its impacts may be found, s.
-pub(super) const ALIGNED_REACH_S: f64 = 2.5;
 /// A train is open, that is, may continue, if its last impact came less than this before now, s.
 pub(super) const OPEN_S: f64 = 10.0;
 /// Time that is kept before the start of an open train, s, so that its first impact stays.

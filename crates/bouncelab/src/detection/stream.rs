@@ -3,15 +3,14 @@
 use super::clipping::Clipping;
 use super::envelope::Envelope;
 use super::parameters::{
-    ALIGNED_REACH_S, CROWD_DIVISOR, MAX_DROP_SHARE, MAX_ONSET_DELAY_S, MAX_ONSETS,
-    MAX_REMEMBERED_S, MAX_SAMPLES, MIN_GAP_S, MIN_REMEMBERED_S, OPEN_CROWD_DIVISOR, OPEN_MARGIN_S,
-    OPEN_S,
+    CROWD_DIVISOR, MAX_DROP_SHARE, MAX_ONSET_DELAY_S, MAX_ONSETS, MAX_REMEMBERED_S, MAX_SAMPLES,
+    MIN_GAP_S, MIN_REMEMBERED_S, OPEN_CROWD_DIVISOR, OPEN_MARGIN_S, OPEN_S,
 };
 use super::{Detection, DetectionOptions};
 use crate::error::{Error, Result};
 use crate::onset::{self, Onset, OnsetDetector};
 use crate::simd::dispatch;
-use crate::train::{self, Excerpt, Span, Train, TrainSearch};
+use crate::train::{self, ALIGNED_REACH_S, Excerpt, Span, Train, TrainSearch};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -408,9 +407,7 @@ impl ChannelDetector {
     /// Aligns these trains while their samples are available, and adds them to the result.
     fn take(&mut self, mut result: TrainSearch) {
         for train in result.trains.iter_mut().chain(&mut result.candidates) {
-            let around_s = train.start_s() - ALIGNED_REACH_S..train.end_s() + ALIGNED_REACH_S;
-            let excerpt = self.read(around_s);
-            train.align(&excerpt.samples, excerpt.start_s, excerpt.rate_hz);
+            train.align_within(&|range_s| self.read(range_s));
         }
         self.found.trains.append(&mut result.trains);
         self.found.periodic.append(&mut result.periodic);

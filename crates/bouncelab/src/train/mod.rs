@@ -42,12 +42,13 @@ use crate::stats::{logistic, median, sort_by_number};
 pub(crate) use chain::work;
 pub(crate) use evidence::Span;
 use missing::{expected, ratio_near};
+pub(crate) use parameters::{ALIGNED_REACH_S, LN_MISSED, MIN_UNUSED};
 use parameters::{
     COMPARED_WITH_FIRST, GRAVITY_M_S2, MAX_CANDIDATES, MAX_ECHO_S, MAX_INTERVAL_S,
     MAX_JOINED_LN_RATIO, MAX_LAST_FLIGHTS, MAX_NOTICE_S, MAX_SHARED_S, MIN_CONCURRENT_IMPACTS,
-    MIN_DISTANT_DB, MIN_SEARCHED_FLIGHT_S,
+    MIN_DISTANT_DB, MIN_EVIDENCE, MIN_SEARCHED_FLIGHT_S,
 };
-pub(crate) use parameters::{LN_MISSED, MIN_UNUSED};
+use search::Read;
 pub(crate) use search::{Excerpt, search};
 
 /// Minimum number of impacts of a train: three determine the ratio of the flights, two more confirm it against chance.
@@ -227,6 +228,13 @@ impl Train {
         }
     }
 
+    /// The same with the samples around it.
+    pub(crate) fn align_within(&mut self, read: Read) {
+        let around_s = self.start_s() - ALIGNED_REACH_S..self.end_s() + ALIGNED_REACH_S;
+        let excerpt = read(around_s);
+        self.align(&excerpt.samples, excerpt.start_s, excerpt.rate_hz);
+    }
+
     /// Appends a later train if that is the same ball, some of whose impacts were not detected: its first flight is the
     /// expected one if the flights in between shrink by a constant ratio.
     fn continue_with(&mut self, later: &Self) -> bool {
@@ -326,7 +334,12 @@ impl TrainSearch {
 
     /// Adds candidates, and keeps the most likely of all.
     pub(crate) fn add_candidates(&mut self, candidates: impl IntoIterator<Item = Train>) {
-        self.candidates.extend(candidates);
+        // More evidence than of chance has only one that has too few impacts for a drop.
+        self.candidates
+            .extend(candidates.into_iter().map(|train| Train {
+                evidence: train.evidence.min(MIN_EVIDENCE),
+                ..train
+            }));
         sort_by_number(&mut self.candidates, |train| -train.evidence);
         self.candidates.truncate(MAX_CANDIDATES);
     }

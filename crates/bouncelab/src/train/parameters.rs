@@ -1,8 +1,8 @@
 //! Every number of the search for trains, with unit, meaning and source.
 //!
 //! None of them is a setting: each has a physical or a statistical meaning. A number without another source was chosen
-//! during development on the detection benchmark and on seed 1 of the mixtures, and checked on mixtures by which nothing
-//! was chosen (`docs/listening.md`).
+//! during development on the detection benchmark and on seeds 1 and 11 to 14 of the mixtures, and checked on mixtures by
+//! which nothing was chosen (`docs/listening.md`).
 
 use super::evidence::Surface;
 use super::rhythm::TempoModel;
@@ -25,6 +25,10 @@ pub(super) const MAX_CANDIDATES: usize = 3;
 pub(super) const FOLLOWING_REACH_S: f64 = 5.0;
 /// Maximum size of the evidence at which the waveforms are compared, nats: they contribute no more than this.
 pub(super) const MAX_DOUBT: f64 = 8.0;
+/// Maximum number of chains whose sounds are weighed where that of the most evidence is no drop.
+pub(super) const MAX_DOUBTED: usize = 3;
+/// Minimum evidence of such a chain, nats: sounds seldom add more.
+pub(super) const MIN_DOUBTED_EVIDENCE: f64 = -10.0;
 /// Minimum difference of level at equal impact speed from which a train is another ball farther away, dB: 12 dB are four
 /// times the distance.
 pub(super) const MIN_DISTANT_DB: f64 = 12.0;
@@ -105,6 +109,11 @@ pub(super) const COMPARED_REACH_S: f64 = 1.0;
 pub(super) const COMPARED_MARGIN_S: f64 = 0.1;
 /// Maximum number of other onsets compared.
 pub(super) const MAX_COMPARED: usize = 20;
+/// Factors, each on top of the one before, by which the rate is lowered to compare the waveforms of dull balls. At 44.1 kHz
+/// they leave the frequencies below some 5 kHz, 2.5 kHz and 0.7 kHz, the last those of a basketball.
+pub(super) const LOWERED_BY: [usize; 3] = [4, 2, 4];
+/// Time before and after a train in which more of its impacts may be found, s.
+pub(crate) const ALIGNED_REACH_S: f64 = 2.5;
 /// Parameters of the beta distribution of the share of impacts whose sounds agree: uniform, since it depends on ball and
 /// recorder.
 pub(super) const AGREEING_IMPACTS: (f64, f64) = (1.0, 1.0);

@@ -6,8 +6,8 @@ use super::evidence::{self, Span};
 use super::parameters::{
     AGREEING_IMPACTS, AGREEING_OTHERS, AGREEING_SOUNDS, COMPARED_MARGIN_S, COMPARED_REACH_S,
     CONCURRENT_REACH_S, CROWD_REACH_S, EARLIER_FLIGHT_REACH, FOLLOWING_REACH_S, HIDDEN_BELOW_DB,
-    HIDDEN_FLIGHT_REACH, ISOLATION_REACH_S, LN_CONCURRENT, LN_CONTINUES, LN_RHYTHM, MAX_COMPARED,
-    MAX_DOUBT, MAX_FAINT_ONSETS, MAX_HIDING, MAX_MISSED, MIN_CANDIDATE_EVIDENCE,
+    HIDDEN_FLIGHT_REACH, ISOLATION_REACH_S, LN_CONCURRENT, LN_CONTINUES, LN_RHYTHM, LOWERED_BY,
+    MAX_COMPARED, MAX_DOUBT, MAX_FAINT_ONSETS, MAX_HIDING, MAX_MISSED, MIN_CANDIDATE_EVIDENCE,
     MIN_CANDIDATE_IMPACTS, MIN_EVIDENCE, MIN_FALL_S, UNUSED_BELOW_DB, UNUSED_REACH_S,
 };
 use super::rhythm::{self, Pulse};
@@ -22,6 +22,17 @@ pub(crate) struct Excerpt {
     pub(crate) samples: Vec<f32>,
     pub(crate) start_s: f64,
     pub(crate) rate_hz: f64,
+}
+
+impl Excerpt {
+    /// Its low frequencies at a rate that is lower by this factor.
+    fn lowered(&self, factor: usize) -> Self {
+        Self {
+            samples: align::lowered(&self.samples, factor),
+            rate_hz: self.rate_hz / factor as f64,
+            ..*self
+        }
+    }
 }
 
 /// Reads the part of the recording between two times, in seconds.
@@ -65,7 +76,11 @@ fn search_among(onsets: &[Onset], span: Span, read: Read, result: &mut TrainSear
     let chains = Chains::of(onsets, span);
     let best = match best(&chains, read, 0.0) {
         None => {
-            result.add_candidates(candidate(&chains, read));
+            let offered = candidate(&chains, read);
+            match offered.as_ref().and_then(|few| completed(few, read)) {
+                Some(drop) => result.trains.push(drop),
+                None => result.add_candidates(offered),
+            }
             return;
         }
         Some(Best::Rhythm(links)) => {
@@ -103,15 +118,26 @@ enum Best {
 
 /// The best chain, if it is more likely than chance; `ln_prior` is the logarithm of the prior odds of a drop here over
 /// those anywhere.
-fn best(chains: &Chains, read: Read, ln_prior: f64) -> Option<Best> {
+fn best<'c>(chains: &'c Chains, read: Read, ln_prior: f64) -> Option<Best> {
     let onsets = chains.onsets;
-    let mut chain = chains.best(MIN_IMPACTS)?;
-    let rhythm = chain.end_at_rhythm(onsets);
-    chain.evidence += ln_prior;
-    weigh_sounds(&mut chain, onsets, read);
-    if chain.evidence < MIN_EVIDENCE {
+    let weighed = |mut chain: Chain<'c>| {
+        let rhythm = chain.end_at_rhythm(onsets);
+        chain.evidence += ln_prior;
+        weigh_sounds(&mut chain, onsets, read);
+        (chain, rhythm)
+    };
+    let is_drop = |chain: &Chain| chain.evidence >= MIN_EVIDENCE;
+    let (best, rhythm) = weighed(chains.best(MIN_IMPACTS)?);
+    let likely = if is_drop(&best) {
+        Some(best)
+    } else {
+        // The times alone do not tell which of several chains is the drop.
+        let others = chains.several(MIN_IMPACTS).into_iter().skip(1);
+        others.map(|chain| weighed(chain).0).find(is_drop)
+    };
+    let Some(mut chain) = likely else {
         return rhythm.map(Best::Rhythm);
-    }
+    };
     // Further impacts first, because the rhythm explains all of them too.
     chain.extend(onsets, 0.0);
     chain.end_at_rhythm(onsets);
@@ -144,11 +170,21 @@ fn candidate(chains: &Chains, read: Read) -> Option<Train> {
             chain.evidence += evidence::ln_fall_of_two(&onsets[first.onset], &onsets[second.onset]);
         }
         weigh_sounds(&mut chain, onsets, read);
-        // More evidence than of chance has only a chain that is too short for a drop.
-        let evidence = over_chance_and_rhythm(onsets, &chain).min(MIN_EVIDENCE);
+        let evidence = over_chance_and_rhythm(onsets, &chain);
         (evidence > MIN_CANDIDATE_EVIDENCE)
             .then(|| Train::new(impacts(onsets, &chain), evidence, chain.evidence))
     })
+}
+
+/// The drop of a few impacts that are more likely those of a ball than other sounds, if their waveform reveals at the expected
+/// times as many more as a drop needs.
+fn completed(few: &Train, read: Read) -> Option<Train> {
+    if few.evidence < MIN_EVIDENCE || few.impacts.len() >= MIN_IMPACTS {
+        return None;
+    }
+    let mut train = few.clone();
+    train.align_within(read);
+    (train.impacts.len() >= MIN_IMPACTS).then_some(train)
 }
 
 /// Adds the drops that share their time with these: other balls that bounce concurrently.
@@ -303,6 +339,9 @@ fn isolation(onsets: &[Onset], chain: &Chain) -> f64 {
 ///
 /// If it is a drop, some share of its impacts agrees, depending on ball and recorder, and one other in
 /// twenty by chance. If it is not, the same share of all agrees, such as that of drums that repeat.
+///
+/// A bright ball agrees over all frequencies, a dull one among other sounds only over low ones. Its brightness is unknown, so
+/// that the evidence is that of the mean of the probability ratios.
 fn agreement(onsets: &[Onset], chain: &Chain, read: Read) -> f64 {
     let impacts: Vec<Onset> = chain.links.iter().map(|l| onsets[l.onset]).collect();
     let start_s = impacts[0].time_s - COMPARED_REACH_S;
@@ -315,10 +354,20 @@ fn agreement(onsets: &[Onset], chain: &Chain, read: Read) -> f64 {
     let mut others: Vec<Onset> = near.filter(is_other).map(|index| onsets[index]).collect();
     sort_by_number(&mut others, |onset| -onset.strength);
     others.truncate(MAX_COMPARED);
-    let excerpt = read(start_s - COMPARED_MARGIN_S..end_s + COMPARED_MARGIN_S);
+    let mut excerpt = read(start_s - COMPARED_MARGIN_S..end_s + COMPARED_MARGIN_S);
+    let mut ratio = agreement_in(&excerpt, &impacts, &others).exp();
+    for factor in LOWERED_BY {
+        excerpt = excerpt.lowered(factor);
+        ratio += agreement_in(&excerpt, &impacts, &others).exp();
+    }
+    (ratio / (1 + LOWERED_BY.len()) as f64).ln()
+}
+
+/// The same over the frequencies of these samples.
+fn agreement_in(excerpt: &Excerpt, impacts: &[Onset], others: &[Onset]) -> f64 {
     let agreement = align::agreement(
-        &impacts,
-        &others,
+        impacts,
+        others,
         &excerpt.samples,
         excerpt.start_s,
         excerpt.rate_hz,
@@ -437,5 +486,24 @@ mod tests {
     #[test]
     fn without_samples_the_waveforms_are_no_evidence() {
         assert!(evidence(&|_| Excerpt::default()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn of_several_chains_none_shares_most_of_its_impacts_with_a_better_one() {
+        let drop = |start_s: f64| {
+            (0..8).scan(start_s, |time_s, n| {
+                let now_s = *time_s;
+                *time_s += 0.4 * 0.85_f64.powi(n);
+                Some(Onset::click(now_s))
+            })
+        };
+        let onsets: Vec<Onset> = drop(1.0).chain(drop(6.0)).collect();
+        let chains = Chains::of(&onsets, Span::UNBOUNDED);
+        let several = chains.several(MIN_IMPACTS);
+        assert!(several.is_sorted_by(|a, b| a.evidence >= b.evidence));
+        let mut firsts: Vec<usize> = several.iter().map(|it| it.links[0].onset).collect();
+        firsts.truncate(2);
+        firsts.sort_unstable();
+        assert_eq!(firsts, [0, 8]);
     }
 }

@@ -12,9 +12,9 @@ use std::ops::Range;
 
 use super::evidence::{Span, Surroundings};
 use super::parameters::{
-    LN_DROP, LN_FIRST_INTERVAL, LN_MISSED, LN_RHYTHM, MAX_HYPOTHESES, MAX_INTERVAL_S, MAX_MISSED,
-    MIN_FLIGHT_S, MIN_PURSUED_EVIDENCE, MIN_RATIO_DIFFERENCE, MIN_SCATTER_RATIO, MIN_STEP_EVIDENCE,
-    SURFACES,
+    LN_DROP, LN_FIRST_INTERVAL, LN_MISSED, LN_RHYTHM, MAX_DOUBTED, MAX_HYPOTHESES, MAX_INTERVAL_S,
+    MAX_MISSED, MIN_DOUBTED_EVIDENCE, MIN_FLIGHT_S, MIN_PURSUED_EVIDENCE, MIN_RATIO_DIFFERENCE,
+    MIN_SCATTER_RATIO, MIN_STEP_EVIDENCE, SURFACES,
 };
 use super::rhythm::{self, Beat, Pulse};
 use super::{MIN_IMPACTS, Onset};
@@ -121,12 +121,39 @@ impl<'o> Chains<'o> {
         let end = (0..self.nodes.len())
             .filter(|&node| hypothesis(node).impacts() >= min_impacts)
             .max_by(|&a, &b| hypothesis(a).evidence.total_cmp(&hypothesis(b).evidence))?;
+        Some(self.chain(end))
+    }
+
+    /// The chains of at least this many impacts that have most evidence, at most [`MAX_DOUBTED`] and the best first; of those
+    /// that share most of their impacts only the best.
+    pub(super) fn several(&self, min_impacts: usize) -> Vec<Chain<'_>> {
+        let hypothesis = |node: usize| &self.nodes[node].0.hypothesis;
+        let is_doubted = |node: &usize| {
+            let hypothesis = hypothesis(*node);
+            hypothesis.impacts() >= min_impacts && hypothesis.evidence > MIN_DOUBTED_EVIDENCE
+        };
+        let mut ends: Vec<usize> = (0..self.nodes.len()).filter(is_doubted).collect();
+        sort_by_number(&mut ends, |&node| hypothesis(node).evidence);
+        let mut chains: Vec<Chain> = Vec::new();
+        while chains.len() < MAX_DOUBTED
+            && let Some(end) = ends.pop()
+        {
+            let chain = self.chain(end);
+            if !chains.iter().any(|better| chain.is_mostly_in(better)) {
+                chains.push(chain);
+            }
+        }
+        chains
+    }
+
+    /// The chain that ends with this node.
+    fn chain(&self, end: usize) -> Chain<'_> {
         let last_onset = self.ends.partition_point(|&e| e <= end) - 1;
-        Some(Chain {
+        Chain {
             links: trace(&self.nodes, end, last_onset),
-            evidence: hypothesis(end).evidence,
+            evidence: self.nodes[end].0.hypothesis.evidence,
             around: &self.around,
-        })
+        }
     }
 }
 
@@ -252,6 +279,16 @@ pub(super) fn beats(onsets: &[Onset], links: &[Link]) -> Vec<Beat> {
 }
 
 impl Chain<'_> {
+    /// Whether most impacts of the shorter of the two are impacts of both.
+    fn is_mostly_in(&self, other: &Self) -> bool {
+        let is_shared = |link: &&Link| {
+            let same = other.links.binary_search_by_key(&link.onset, |it| it.onset);
+            same.is_ok()
+        };
+        let shared = self.links.iter().filter(is_shared).count();
+        2 * shared > self.links.len().min(other.links.len())
+    }
+
     /// The evidence that remains if the onset at each index is taken for a missed impact.
     pub(super) fn evidence_without_each(&self, onsets: &[Onset]) -> Vec<f64> {
         let transitions = self.transitions(onsets);
