@@ -229,22 +229,25 @@ mod tests {
 
     #[test]
     fn gaps_come_back_with_the_sound() {
-        let samples = vec![0.5; 8_001];
-        let mut wav = encode_wav(8_000, SampleFormat::Float32, &[&samples]).unwrap();
-        let gap = Gap {
-            start_s: 0.25,
-            duration_s: 0.5,
-            certain: true,
-        };
-        note_gaps(&mut wav, 8_000, &[gap]);
-        let Ok(Input::Sound(mut source)) = Input::from_bytes(wav, "lost.wav") else {
-            panic!("it is a sound");
-        };
-        let mut frames = 0;
-        while let Some(block) = source.next_block().unwrap() {
-            frames += block.channel(0).len();
+        // An odd number of bytes is padded.
+        for format in [SampleFormat::Float32, SampleFormat::Int8] {
+            let samples = vec![0.5; 8_001];
+            let mut wav = encode_wav(8_000, format, &[&samples]).unwrap();
+            let gap = Gap {
+                start_s: 0.25,
+                duration_s: 0.5,
+                certain: true,
+            };
+            note_gaps(&mut wav, 8_000, &[gap]);
+            let Ok(Input::Sound(mut source)) = Input::from_bytes(wav, "lost.wav") else {
+                panic!("it is a sound");
+            };
+            let mut frames = 0;
+            while let Some(block) = source.next_block().unwrap() {
+                frames += block.channel(0).len();
+            }
+            assert_eq!((frames, source.gaps()), (samples.len(), &[gap][..]));
+            assert_eq!(source.warnings().len(), 1);
         }
-        assert_eq!((frames, source.gaps()), (samples.len(), &[gap][..]));
-        assert_eq!(source.warnings().len(), 1);
     }
 }

@@ -54,7 +54,10 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
                 has_sound = true;
                 let sizes = sizes.map(u64::from_le_bytes);
                 let (end, is_known) = sound_end(&mut chunks, &content, sizes)?;
-                chunks.continue_at(end);
+                // Some programs leave the padding of an odd length out.
+                if end != content.end || !chunks.is_at_chunk()? {
+                    chunks.continue_at(end);
+                }
                 header.is_unfinished = !is_known || chunks.has_rest()?;
                 // The demuxer reads from the header itself what that states right.
                 let is_mended = chunks.variant != Variant::Riff
