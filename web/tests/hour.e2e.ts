@@ -111,6 +111,7 @@ test.skipIf(FIREFOX || process.platform !== 'linux')('an hour of sound is analys
   const answer = await page.locator('.summary').first().textContent();
   const heightCm = Number(/fell from\s([\d.]+)/.exec(answer ?? '')?.[1]);
   expect(Math.abs(heightCm - 100 * TRUTH.heightM)).toBeLessThan(1);
-  expect(peak).toBeLessThan(300e6);
+  // Its file has 691 MB; less than 300 were measured, which other machines may exceed.
+  expect(peak).toBeLessThan(450e6);
   await page.context().close();
 });

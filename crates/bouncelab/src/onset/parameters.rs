@@ -1,7 +1,7 @@
 //! Every number of the onset detector, with unit, meaning and source.
 //!
 //! A number without another source was chosen during development on the detection benchmark and on
-//! seed 1 of the mixtures, and checked on mixtures by which nothing was chosen (`docs/listening.md`).
+//! seed 1 of the mixtures, and checked on mixtures of other seeds (`docs/listening.md`).
 
 use super::bands::BANDS;
 

@@ -1,8 +1,8 @@
 //! Every number of the search for trains, with unit, meaning and source.
 //!
 //! None of them is a setting: each has a physical or a statistical meaning. A number without another source was chosen
-//! during development on the detection benchmark and on seeds 1 and 11 to 14 of the mixtures, and checked on mixtures by
-//! which nothing was chosen (`docs/listening.md`).
+//! during development on the detection benchmark and on seeds 1 and 11 to 14 of the mixtures, and checked on mixtures of
+//! other seeds (`docs/listening.md`).
 
 use super::evidence::Surface;
 use super::rhythm::TempoModel;
