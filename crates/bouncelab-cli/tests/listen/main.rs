@@ -184,6 +184,29 @@ fn a_release_after_every_drop_is_of_none() {
     assert!(warning.contains("No drop begins after"), "{warning}");
 }
 
+/// They begin at equal distances, as the impacts of no ball do, and each begins 0.7 s after the end of the one before.
+#[test]
+fn drops_at_equal_distances_are_those_of_analyze() {
+    let folder = TempDir::new().unwrap();
+    let starts_s: Vec<f64> = (0..6).map(|number| 1.2 * f64::from(number)).collect();
+    let file = recording(&folder, &sound(&starts_s, 0.5, 3.0));
+    let printed = lines(
+        &play(&file)
+            .args(["--format", "json"])
+            .output()
+            .unwrap()
+            .stdout,
+    );
+    let times = |drop: &Value| -> Vec<Value> {
+        let impacts = drop["impacts"].as_array().unwrap().iter();
+        impacts.map(|impact| impact["time_s"].clone()).collect()
+    };
+    let detected: Vec<_> = drops(&printed).iter().map(times).collect();
+    let expected = analyze(&file)["drops"].as_array().unwrap().clone();
+    assert_eq!(detected.len(), 6);
+    assert_eq!(detected, expected.iter().map(times).collect::<Vec<_>>());
+}
+
 #[test]
 fn each_drop_is_reported_in_turn_and_in_the_table() {
     let folder = TempDir::new().unwrap();
