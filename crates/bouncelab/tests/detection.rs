@@ -396,6 +396,27 @@ fn an_impact_at_the_start_of_the_recording_is_known_less_well() {
     assert!(whole.drops[0].impacts[0].time_sd_s.unwrap() < 1e-4);
 }
 
+/// At its end the ball rattles in a groove: flights that hardly shrink, of irregular levels, lower than the last bounce.
+#[test]
+fn a_ball_that_rattles_is_one_drop() {
+    for (seed, flight_s, ratio) in [(1, 0.07, 0.93), (2, 0.05, 0.9), (3, 0.08, 0.97)] {
+        let mut events = dropped(0.4, 0.85);
+        events.retain(|event| event.speed_m_s > 0.55);
+        let mut flight_s = flight_s;
+        let mut time_s = events.last().unwrap().time_s + 0.36;
+        for number in 0..12 {
+            let speed_m_s = 0.3 * f64::powi(ratio, number) * [1.0, 0.6, 1.3][number as usize % 3];
+            events.push(ImpactEvent { time_s, speed_m_s });
+            time_s += flight_s;
+            flight_s *= ratio;
+        }
+        let sound = synth::render(&events, &scene(40.0), seed).unwrap();
+        let trains = &detect(&sound).found.trains;
+        assert_eq!(trains.len(), 1, "{seed}");
+        assert!(trains[0].start_s() < 1.0, "{seed}");
+    }
+}
+
 /// A ball that bounces sooner after a drop than the same ball could fall again is offered, and sounds between are named.
 #[test]
 fn a_train_close_behind_another_is_offered() {

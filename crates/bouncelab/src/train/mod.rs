@@ -45,8 +45,8 @@ use missing::{expected, ratio_near};
 pub(crate) use parameters::{ALIGNED_REACH_S, LN_MISSED, MIN_UNUSED};
 use parameters::{
     COMPARED_WITH_FIRST, GRAVITY_M_S2, MAX_CANDIDATES, MAX_ECHO_S, MAX_INTERVAL_S,
-    MAX_JOINED_LN_RATIO, MAX_LAST_FLIGHTS, MAX_NOTICE_S, MAX_SHARED_S, MIN_CONCURRENT_IMPACTS,
-    MIN_DISTANT_DB, MIN_EVIDENCE, MIN_SEARCHED_FLIGHT_S,
+    MAX_JOINED_LN_RATIO, MAX_LAST_FLIGHTS, MAX_NOTICE_S, MAX_RATTLE_FLIGHT_S, MAX_RATTLE_GAP_S,
+    MAX_SHARED_S, MIN_CONCURRENT_IMPACTS, MIN_DISTANT_DB, MIN_EVIDENCE, MIN_SEARCHED_FLIGHT_S,
 };
 use search::Read;
 pub(crate) use search::{Excerpt, search};
@@ -233,6 +233,20 @@ impl Train {
         let around_s = self.start_s() - ALIGNED_REACH_S..self.end_s() + ALIGNED_REACH_S;
         let excerpt = read(around_s);
         self.align(&excerpt.samples, excerpt.start_s, excerpt.rate_hz);
+    }
+
+    /// Whether it is the ball of an earlier train that rattles before it rests, such as in a groove: it follows soon, and
+    /// both fly so low that nobody has dropped a ball again.
+    fn is_rattling_of(&self, earlier: &Self) -> bool {
+        let last = earlier.impacts.len() - 1;
+        let flights_s = [
+            flight_s(&earlier.impacts[last - 1..]),
+            self.first_flight_s().0,
+        ];
+        self.start_s() - earlier.end_s() < MAX_RATTLE_GAP_S
+            && flights_s
+                .iter()
+                .all(|&flight_s| flight_s < MAX_RATTLE_FLIGHT_S)
     }
 
     /// Appends a later train if that is the same ball, some of whose impacts were not detected: its first flight is the

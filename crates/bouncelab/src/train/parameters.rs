@@ -53,6 +53,10 @@ pub(super) const PREDICTED_FLIGHT_SCATTER: f64 = 0.02;
 pub(super) const REVEALED_PROBABILITY: f64 = 0.95;
 /// Impacts to each side from which the ratio of the flights is taken.
 pub(super) const RATIO_REACH: usize = 6;
+/// Maximum time between a drop and its rattling, s.
+pub(super) const MAX_RATTLE_GAP_S: f64 = 1.0;
+/// Maximum last flight of a drop that may rattle, and first flight of the rattling, s: a rise of 2 cm.
+pub(super) const MAX_RATTLE_FLIGHT_S: f64 = 0.13;
 /// Maximum difference of the logarithm of a first flight from the expected one for which two trains are one drop.
 pub(super) const MAX_JOINED_LN_RATIO: f64 = 0.3;
 

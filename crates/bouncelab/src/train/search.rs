@@ -45,7 +45,7 @@ pub(crate) fn search(onsets: &[Onset], span: Span, read: Read, result: &mut Trai
     search_among(&informative, span, read, result);
     let mut new = result.trains.split_off(before);
     add_concurrent(&informative, span, read, &mut new);
-    join(&mut new);
+    result.add_candidates(join(&mut new));
     note_unused(&informative, &mut new);
     let is_found = |candidate: &Train| new.iter().any(|train| train.is_same_drop(candidate));
     result.candidates.retain(|candidate| !is_found(candidate));
@@ -218,20 +218,26 @@ fn add_concurrent(onsets: &[Onset], span: Span, read: Read, trains: &mut Vec<Tra
     sort_by_number(trains, Train::start_s);
 }
 
-/// Joins each train, in order of the starts, with the one that ended last before it if that is the same ball.
-fn join(trains: &mut Vec<Train>) {
+/// Joins each train, in order of the starts, with the one that ended last before it if that is the same ball. Returns those
+/// that are only its rattling.
+fn join(trains: &mut Vec<Train>) -> Vec<Train> {
+    let mut rattling = Vec::new();
     let mut index = 1;
     while index < trains.len() {
         let (earlier, rest) = trains.split_at_mut(index);
         let later = &rest[0];
         let over = earlier.iter_mut().filter(|it| it.end_s() < later.start_s());
         let last = over.max_by(|a, b| a.end_s().total_cmp(&b.end_s()));
+        let rattles = last.as_ref().is_some_and(|last| later.is_rattling_of(last));
         if last.is_some_and(|last| last.continue_with(later)) {
             trains.remove(index);
+        } else if rattles {
+            rattling.push(trains.remove(index));
         } else {
             index += 1;
         }
     }
+    rattling
 }
 
 /// Notes the sounds near each train that belong to no train: how many are nearly as loud as its loudest impact, and whether one
