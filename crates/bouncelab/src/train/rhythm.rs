@@ -181,7 +181,7 @@ impl<'a> Pulse<'a> {
 }
 
 /// Logarithm of the mean of numbers that are given by their logarithms.
-fn ln_mean(logarithms: &[f64]) -> f64 {
+pub(super) fn ln_mean(logarithms: &[f64]) -> f64 {
     let max = logarithms.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let sum: f64 = logarithms.iter().map(|ln| (ln - max).exp()).sum();
     max + (sum / logarithms.len() as f64).ln()

@@ -361,12 +361,12 @@ fn agreement(onsets: &[Onset], chain: &Chain, read: Read) -> f64 {
     sort_by_number(&mut others, |onset| -onset.strength);
     others.truncate(MAX_COMPARED);
     let mut excerpt = read(start_s - COMPARED_MARGIN_S..end_s + COMPARED_MARGIN_S);
-    let mut ratio = agreement_in(&excerpt, &impacts, &others).exp();
+    let mut ln_ratios = vec![agreement_in(&excerpt, &impacts, &others)];
     for factor in LOWERED_BY {
         excerpt = excerpt.lowered(factor);
-        ratio += agreement_in(&excerpt, &impacts, &others).exp();
+        ln_ratios.push(agreement_in(&excerpt, &impacts, &others));
     }
-    (ratio / (1 + LOWERED_BY.len()) as f64).ln()
+    rhythm::ln_mean(&ln_ratios)
 }
 
 /// The same over the frequencies of these samples.
