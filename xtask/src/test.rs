@@ -1,9 +1,7 @@
 //! `cargo xtask test`: every check that a change must pass.
 
 use std::collections::HashMap;
-use std::env;
 use std::process::Command;
-use std::thread::{self, JoinHandle};
 
 use crate::cargo::{
     cargo, cargo_all, ensure_sound_headers, has, has_sound_headers, install, root,
@@ -85,7 +83,7 @@ fn ignored(file: &str, names: &[&str]) -> Command {
     command
 }
 
-/// All checks, in the order in which they begin. They share one target folder, one profile and one set of
+/// All checks, in the order in which they run. They share one target folder, one profile and one set of
 /// features: clippy and the documentation use the same metadata of the dependencies, the tests and the
 /// program under the end-to-end tests the same code, so that a dependency is compiled at most twice;
 /// and once more for the browser.
@@ -137,18 +135,6 @@ pub(crate) const CHECKS: [Check; 20] = [
             let mut command = cargo_all(&["doc"]);
             run_command(command.arg("--no-deps").env("RUSTDOCFLAGS", "-D warnings"))
         },
-    },
-    Check {
-        name: "web",
-        about: "the page: types, lints, unit tests, build, size",
-        needs: Needs::Node,
-        run: || web::check().and_then(|()| web::build()),
-    },
-    Check {
-        name: "e2e",
-        about: "end-to-end tests of the page and of the reports in a browser",
-        needs: Needs::Browser,
-        run: || web::e2e(&[]),
     },
     Check {
         name: "tables",
@@ -206,6 +192,18 @@ pub(crate) const CHECKS: [Check; 20] = [
         about: "the crates for users can be published",
         needs: Needs::Nothing,
         run: package::run,
+    },
+    Check {
+        name: "web",
+        about: "the page: types, lints, unit tests, build, size",
+        needs: Needs::Node,
+        run: || web::check().and_then(|()| web::build()),
+    },
+    Check {
+        name: "e2e",
+        about: "end-to-end tests of the page and of the reports in a browser",
+        needs: Needs::Browser,
+        run: || web::e2e(&[]),
     },
     Check {
         name: "book",
@@ -323,7 +321,7 @@ fn has_sndfile() -> bool {
 
 /// Without a named folder the tests that read them are ignored.
 fn has_recordings() -> bool {
-    let named = env::var_os("BOUNCELAB_RECORDINGS").is_some();
+    let named = std::env::var_os("BOUNCELAB_RECORDINGS").is_some();
     if !named {
         println!("BOUNCELAB_RECORDINGS names no folder of recordings");
     }
@@ -361,18 +359,9 @@ pub(crate) fn run(names: &[String]) -> Result {
     });
     let whole = Watch::start();
     let mut outcomes = Vec::new();
-    let mut apart = None;
     for (index, check) in checks.iter().enumerate() {
         let (name, about) = (check.name, check.about);
         println!("\n== {}/{} {name}: {about}", index + 1, checks.len());
-        if name == BROWSER && index + 1 < checks.len() {
-            println!("it runs beside the checks that follow; its output comes when it has ended");
-            apart = Some(thread::spawn(run_apart));
-            continue;
-        }
-        if BUILD_PAGE.contains(&name) {
-            outcomes.extend(apart.take().map(joined));
-        }
         steps::take();
         let watch = Watch::start();
         let result = (check.run)();
@@ -386,51 +375,7 @@ pub(crate) fn run(names: &[String]) -> Result {
             steps: steps::take(),
         });
     }
-    outcomes.extend(apart.map(joined));
     conclude(&outcomes, whole.time())
-}
-
-/// The check that waits for a browser half of its time, and therefore runs beside others.
-const BROWSER: &str = "e2e";
-
-/// Checks that build the page, which must not change while a browser loads it.
-const BUILD_PAGE: [&str; 3] = ["book", "release", "fresh"];
-
-/// Runs [`BROWSER`] as a process of its own, so that its output and its summary stay together.
-fn run_apart() -> (Outcome, String) {
-    let watch = Watch::start();
-    let task = env::current_exe().and_then(|this| {
-        let mut command = Command::new(this);
-        command.args(["test", BROWSER]).output()
-    });
-    let (result, output) = match task {
-        Ok(output) => {
-            let printed = [output.stdout, output.stderr].concat();
-            let printed = String::from_utf8_lossy(&printed).into_owned();
-            let result = output.status.success().then_some(());
-            (result.ok_or_else(|| "it failed".to_owned()), printed)
-        }
-        Err(reason) => (Err(reason.to_string()), String::new()),
-    };
-    let time = Time {
-        processors: None,
-        ..watch.time()
-    };
-    let outcome = Outcome {
-        name: BROWSER,
-        result,
-        time,
-        steps: Vec::new(),
-    };
-    (outcome, output)
-}
-
-fn joined(task: JoinHandle<(Outcome, String)>) -> Outcome {
-    let (outcome, output) = task.join().expect("it returns what went wrong");
-    println!("\n== {}: what it printed\n{output}", outcome.name);
-    let skipped = output.lines().filter_map(|line| line.strip_prefix(SKIPPED));
-    skipped.for_each(steps::skip);
-    outcome
 }
 
 fn chosen(names: &[String]) -> Result<Vec<&'static Check>> {
@@ -469,9 +414,6 @@ fn ensure_components() -> Result {
     Ok(())
 }
 
-/// Before what was left out, in the summary.
-const SKIPPED: &str = "   skipped: ";
-
 /// Prints what became of each check, and what took how long; an error if any failed.
 fn conclude(outcomes: &[Outcome], total: Time) -> Result {
     for step in outcomes.iter().flat_map(|outcome| &outcome.steps) {
@@ -500,7 +442,7 @@ fn conclude(outcomes: &[Outcome], total: Time) -> Result {
         .collect();
     let skipped = steps::skipped();
     for what in &skipped {
-        println!("{SKIPPED}{what}");
+        println!("   skipped: {what}");
     }
     if failed.is_empty() {
         let count = outcomes.len();
