@@ -55,7 +55,7 @@ fn texts(svg: &str) -> Vec<String> {
         .collect()
 }
 
-/// Well-formed, no number that is none, every text begins in the drawing, and nothing is cut off
+/// The drawing is well-formed, no number is NaN, every text begins in the drawing, and nothing is cut off
 /// at its rim: drawn as a picture, the outermost pixels are white.
 fn check_drawing(chart: &Chart) -> Result<(), TestCaseError> {
     let svg = chart.svg();

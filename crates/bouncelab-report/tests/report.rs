@@ -252,7 +252,7 @@ fn everything_on_a_page_of_groups_is_a_message() {
     assert!(html.contains("0, 1, 2, 3 und 2 weitere: 7"), "{html}");
 }
 
-/// So many drops of each of two balls, compared at a speed, and six of which there is something to say.
+/// `drops` drops of each of two balls, compared at a speed, and six with remarks.
 fn group_page(drops: usize, at_speed_m_s: Option<f64>, translator: &Translator) -> Page {
     let point = |value| move |speed_m_s| (speed_m_s, Measured { value, sd: 0.001 });
     let balls = ["1", "2"].map(|ball| BTreeMap::from([("0".to_owned(), ball.to_owned())]));

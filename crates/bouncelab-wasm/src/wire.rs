@@ -94,8 +94,7 @@ pub struct Body {
 pub struct SoFar {
     /// How long it has been recording.
     pub duration_s: f64,
-    /// The drop that goes on or was the last to end, without the inference; `null` if there is none
-    /// yet.
+    /// The drop that goes on or was the last to end, without the inference; `null` before the first.
     pub drop: Option<Drop>,
     /// How many drops were detected.
     pub drops: usize,

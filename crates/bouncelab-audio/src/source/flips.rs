@@ -48,8 +48,8 @@ impl Flips {
             } else {
                 before.drain(..before.len().saturating_sub(WINDOW - 1));
             }
-            self.next = at + plane.len() as u64;
         }
+        self.next = at + planes.first().map_or(0, Vec::len) as u64;
     }
 
     /// Number of flipped samples in all channels, and the frame of the first one; `None` if they may be chance.

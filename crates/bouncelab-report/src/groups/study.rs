@@ -109,7 +109,7 @@ pub struct GroupStudy {
     pub factors: Vec<Factor>,
     /// The factors that make groups, by index.
     pub by: Vec<usize>,
-    /// The study, or why there is none.
+    /// The study, or why it cannot be made.
     pub study: Result<Study, String>,
     names: Vec<Arc<str>>,
 }

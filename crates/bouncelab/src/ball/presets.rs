@@ -53,7 +53,7 @@ pub(crate) fn usual() -> &'static Preset {
 /// and hyphens may be left out or added.
 ///
 /// # Errors
-/// [`Error::UnknownName`] with the nearest name if there is none.
+/// [`Error::UnknownName`], with the nearest name, if no preset has this one.
 ///
 /// ```
 /// use bouncelab::ball::preset;
