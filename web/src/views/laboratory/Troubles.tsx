@@ -1,6 +1,7 @@
 import { FaultNotice } from '../../app/FaultNotice.tsx';
+import { ProcessingNotice } from '../../app/ProcessingNotice.tsx';
 import { unreadable } from '../../state/settings.ts';
-import { busy, fault, processing } from '../../state/workspace.ts';
+import { busy, fault } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 import { Orphans } from './Orphans.tsx';
 import { RateForm } from './RateForm.tsx';
@@ -16,13 +17,7 @@ export function Troubles() {
           {fault.value.key === 'rate' && <RateForm />}
         </FaultNotice>
       )}
-      {processing.value.length > 0 && (
-        <p class="notice">
-          {text('page-lab-processed', {
-            what: processing.value.map((name) => text(`page-lab-processed-${name}`)).join(', '),
-          })}
-        </p>
-      )}
+      <ProcessingNotice />
       {unreadable.value.length > 0 && (
         <p class="notice">
           {text('page-app-unreadable-link', { parts: unreadable.value.join(', ') })}

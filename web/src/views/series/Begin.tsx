@@ -9,8 +9,8 @@ import { text } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';
 import { Field } from './Field.tsx';
 
-/** No series has more places, nor more drops in a place. */
-const MOST = 1000;
+/** Maximum number of places, and of drops in a place. */
+const MAX = 1000;
 
 /** What is chosen when a test series begins. */
 export function Begin() {
@@ -60,7 +60,7 @@ export function Begin() {
           unit=""
           value={places}
           min={1}
-          max={MOST}
+          max={MAX}
           onChange={setPlaces}
         />
         <NumberField
@@ -68,7 +68,7 @@ export function Begin() {
           unit=""
           value={drops}
           min={1}
-          max={MOST}
+          max={MAX}
           onChange={setDrops}
         />
       </div>

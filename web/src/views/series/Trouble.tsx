@@ -1,8 +1,9 @@
 import { FaultNotice } from '../../app/FaultNotice.tsx';
+import { ProcessingNotice } from '../../app/ProcessingNotice.tsx';
 import { save } from '../../app/save.ts';
 import { orphans } from '../../state/orphans.ts';
 import { countInterrupted, keepAgain, open, unkept } from '../../state/series.ts';
-import { busy, fault, processing } from '../../state/workspace.ts';
+import { busy, fault } from '../../state/workspace.ts';
 import { region, text } from '../../text/language.ts';
 
 /** What went wrong, and what can be done about it here. */
@@ -24,13 +25,7 @@ export function Trouble() {
           )}
         </FaultNotice>
       )}
-      {processing.value.length > 0 && (
-        <p class="notice">
-          {text('page-lab-processed', {
-            what: processing.value.map((name) => text(`page-lab-processed-${name}`)).join(', '),
-          })}
-        </p>
-      )}
+      <ProcessingNotice />
       {open.value && !busy.value && <Interrupted />}
     </>
   );
