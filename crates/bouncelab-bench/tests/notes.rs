@@ -25,13 +25,16 @@ fn codes(drop: &Drop) -> Vec<Code> {
     drop.diagnostics.iter().map(|it| it.code).collect()
 }
 
-/// Of drops whose ball is the stated one at most 5 % carry a note.
+/// Of drops whose ball is the stated one at most 5 % carry a note, but for those of so few impacts that one between each two may
+/// have been missed.
 #[test]
 fn a_usual_drop_has_no_note() {
     const DROPS: usize = 100;
+    const FEW: usize = 6;
     let options = Options::default();
     let of_drops = of_seeds(DROPS, |seed| {
-        Some(codes(&analysed(&times_s(&options, seed)?, &options)))
+        let times_s = times_s(&options, seed).filter(|times_s| times_s.len() > FEW)?;
+        Some(codes(&analysed(&times_s, &options)))
     });
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     for code in of_drops.iter().flatten() {

@@ -272,6 +272,9 @@ codes! {
     ImpactsTooClose = "impacts-too-close", Warning, ["count", "start_s", "contact_time_s"];
     /// The number of impacts is so small that the priors dominate.
     FewImpacts = "few-impacts", Warning, ["count"];
+    /// Between each two of few impacts one may have been missed, which times alone do not show: the restitution and the drop
+    /// height then.
+    FlightsMayBeTwo = "flights-may-be-two", Info, ["count", "restitution", "height_m"];
     /// A restitution law takes more impacts to be distinguished from a constant.
     LawNeedsImpacts = "law-needs-impacts", Info, ["law", "needed", "seen"];
     /// Impacts are outliers and count less.
@@ -412,7 +415,7 @@ codes! {
     RuleWithoutPoint = "rule-without-point", Info, [];
     /// The model answers with another value, beyond the uncertainties of both.
     ModelDiffers = "model-differs", Warning, [];
-    /// So many drops with this mean and scatter would decide.
+    /// The number of drops that would decide, if they had this mean and scatter.
     DropsThatDecide = "drops-that-decide", Info, ["drops"];
     /// No number of drops would decide.
     NoDropsDecide = "no-drops-decide", Info, [];

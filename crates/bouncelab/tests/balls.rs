@@ -1,4 +1,5 @@
-//! What is said of the ball that was stated: nothing of the right one, and a wrong one is noticed from high drops.
+//! The stated ball against the drop: the analysis says nothing of the right ball, and notices a wrong one from high
+//! drops.
 //!
 //! How often over many drops is a table of `docs/validation.md`; here is one drop of each preset, with errors from
 //! a seed.

@@ -417,29 +417,37 @@ fn a_ball_that_rattles_is_one_drop() {
     }
 }
 
-/// A ball that bounces sooner after a drop than the same ball could fall again is offered, and sounds between are named.
+/// A ball that bounces sooner after a drop than the same ball could fall again, such as one that falls off a table. Its flights
+/// are so even that another source of its sounds would keep time. At 0.26 s one of its impacts is where the first drop could have
+/// another, which is said to be doubtful.
 #[test]
-fn a_train_close_behind_another_is_offered() {
-    let mut both: Vec<ImpactEvent> = dropped(0.4, 0.94).into_iter().take(11).collect();
-    let end_s = both[10].time_s;
-    both.extend(impact_events(0.53, 0.963).take(6).map(|event| ImpactEvent {
-        time_s: end_s + 0.26 + event.time_s,
-        ..event
-    }));
-    let sound = synth::render(&both, &scene(40.0), 7).unwrap();
-    let found = detect(&sound).found;
-    assert_eq!(found.trains.len(), 1, "{:?}", found.trains);
-    assert_eq!(found.trains[0].impacts().len(), 11);
-    let [offered] = found.candidates.as_slice() else {
-        panic!("{:?}", found.candidates)
-    };
-    let seconds = &audible(&sound)[11..];
-    let of_second = |time_s: &f64| {
-        seconds
-            .iter()
-            .any(|truth_s| (time_s - truth_s).abs() < SAME_S)
-    };
-    assert!(times(offered).iter().all(of_second) && times(offered).len() >= 5);
+fn a_train_close_behind_another_that_sounds_like_it_is_another_drop() {
+    for gap_s in [0.22, 0.26, 0.3] {
+        let mut both: Vec<ImpactEvent> = dropped(0.4, 0.94).into_iter().take(11).collect();
+        let end_s = both[10].time_s;
+        both.extend(impact_events(0.53, 0.963).take(6).map(|event| ImpactEvent {
+            time_s: end_s + gap_s + event.time_s,
+            ..event
+        }));
+        let sound = synth::render(&both, &scene(40.0), 7).unwrap();
+        let found = detect(&sound).found;
+        let [first, second] = found.trains.as_slice() else {
+            panic!("{gap_s}: {:?}", found.trains)
+        };
+        let impacts = first.impacts().iter();
+        let sure = impacts.filter(|impact| impact.probability > CONFIDENT_PROBABILITY);
+        assert_eq!(sure.count(), 11, "{gap_s}");
+        let seconds = &audible(&sound)[11..];
+        let of_second = |time_s: &f64| {
+            let mut truths_s = seconds.iter();
+            truths_s.any(|truth_s| (time_s - truth_s).abs() < SAME_S)
+        };
+        let times_s = times(second);
+        assert!(
+            times_s.iter().all(of_second) && times_s.len() >= 5,
+            "{gap_s}"
+        );
+    }
 }
 
 /// Balls that rest after two to four impacts, because they were caught or because they are dull, are offered with all their

@@ -238,7 +238,8 @@ fn the_last_impact_of_an_earlier_drop_is_doubted() {
     assert!(low < 0.40 && 0.40 < high, "{low} {high}");
 }
 
-/// A click there, which sounds unlike them, is none of the impacts.
+/// A click at the time at which the ball would have bounced before, but with another sound than the impacts, is not taken
+/// for an impact.
 #[test]
 fn a_click_before_the_drop_does_not_change_its_height() {
     let mut sound = recorded_after(None);

@@ -10,7 +10,8 @@ use bouncelab::drop::{self, Start, Stop};
 use bouncelab::flight::{Environment, FlightModel};
 use bouncelab::impact::ImpactEvent;
 use bouncelab::inference::{
-    ApexTarget, InferenceOptions, Measured, Posterior, Priors, SamplerConfig, UNKNOWN, infer,
+    ApexTarget, InferenceOptions, Measured, PossibleBall, Posterior, Priors, SamplerConfig,
+    UNKNOWN, infer,
 };
 use bouncelab::regression::{self, NumberedFlight};
 use bouncelab::restitution::LawKind;
@@ -152,6 +153,30 @@ fn without_air_and_scatter_it_is_the_straight_line() {
     assert!((found.restitution.value - line.restitution.value).abs() < 1e-4);
     assert!((found.drop_height_m.value / line.drop_height_m.value - 1.0).abs() < 1e-3);
     assert!(found.drag_coefficient.is_none());
+}
+
+/// A restitution that does not scatter leaves only limits of the scatter, which the widths of all else follow.
+#[test]
+fn without_scatter_any_ball_is_possible_and_the_truth_among_it() {
+    for seed in 1..=8 {
+        let truth = Truth {
+            law: Restitution::constant(0.81).unwrap(),
+            height_m: 0.305,
+            scatter: 0.0,
+            sigma_s: 2e-5,
+            impacts: 14,
+            ..Truth::new()
+        };
+        let priors = Priors {
+            possible_balls: PossibleBall::kinds().to_vec(),
+            ..Priors::default()
+        };
+        let found = truth.infer(&truth.impacts(seed), &priors).unwrap();
+        for (estimate, truth) in [(found.drop_height_m, 0.305), (found.restitution, 0.81)] {
+            let [low, high] = estimate.interval95;
+            assert!(low < truth && truth < high, "{seed}: {estimate:?}");
+        }
+    }
 }
 
 /// The codes of what there is to know about a posterior.
@@ -536,6 +561,36 @@ fn a_contradicting_height_is_named() {
         (gravity.unwrap() / expected - 1.0).abs() < 0.03,
         "{gravity:?}"
     );
+}
+
+/// Every second impact of a ball in a vacuum, of restitution 0.825 from 0.39 m: the times are those of 0.68 from 1.9 m.
+#[test]
+fn few_impacts_whose_flights_may_each_be_two_are_said_to_be_so() {
+    let truth = Truth {
+        environment: Environment {
+            drag: DragLaw::None,
+            ..Options::default().environment
+        },
+        law: Restitution::constant(0.825).unwrap(),
+        height_m: 0.39,
+        ..Truth::new()
+    };
+    let all = truth.impacts(3);
+    let doubt = |count: usize, priors: &Priors| {
+        let heard = (1..).zip(all.iter().step_by(2)).take(count);
+        let impacts: Vec<Impact> = heard
+            .map(|(number, it)| Impact::new(number, it.time_s).with_time_sd_s(5e-5))
+            .collect();
+        let found = truth.infer(&impacts, priors).unwrap();
+        let mut diagnostics = found.diagnostics.into_iter();
+        diagnostics.find(|it| it.code == Code::FlightsMayBeTwo)
+    };
+    let said = doubt(6, &Priors::default()).unwrap();
+    let [restitution, height_m] =
+        ["restitution", "height_m"].map(|name| said.number(name).unwrap());
+    assert!((restitution - 0.825).abs() < 0.01, "{restitution}");
+    assert!((height_m - 0.39).abs() < 0.02, "{height_m}");
+    assert_eq!(doubt(7, &Priors::default()), None);
 }
 
 #[test]

@@ -1,5 +1,5 @@
 //! An independent check of every flight: the equations of motion (paper Eqs. 9, 10, 18 and 19)
-//! solved by an ODE library that finds the apex and the ground contact as events.
+//! solved by an ODE library, over the variable whose end is known: the speed up to the apex, the way down to the ground.
 //!
 //! The equations are scaled by the launch speed v and gravity g, so that a flight of 0.1 ms and one
 //! of a day are the same problem to the solver: speed in v, time in v/g, height in v²/g.
@@ -9,7 +9,7 @@ use bouncelab::ball::Ball;
 use bouncelab::drag::DragLaw;
 use bouncelab::flight::{Environment, Flight, FlightModel};
 use bouncelab_testkit::clift_gauvin;
-use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
+use differential_equations::prelude::{ExplicitRungeKutta, IVP};
 
 /// Agreement that is asked for, relative.
 const AGREEMENT: f64 = 1e-9;
@@ -17,49 +17,52 @@ const AGREEMENT: f64 = 1e-9;
 /// Tolerance of the solver, relative and absolute in the scaled problem.
 const SOLVER_TOLERANCE: f64 = 1e-13;
 
-/// Integrates speed u and way y from rest or launch until the event, and returns [time, u, y].
-fn until(
-    start: [f64; 2],
-    acceleration: impl Fn(f64) -> f64,
-    event: impl Fn(f64, f64) -> f64,
-) -> [f64; 3] {
-    let problem = OdeBuilder::<NalgebraMat<f64>>::new()
+/// Time, speed u and way y.
+type State = [f64; 3];
+
+/// Solves the equations over this range of the variable by which the rates of change are.
+fn solve(range: [f64; 2], start: State, rates: impl Fn(State) -> State) -> State {
+    let equations = |_: f64, state: &State, change: &mut State| *change = rates(*state);
+    let method = ExplicitRungeKutta::dop853()
         .rtol(SOLVER_TOLERANCE)
-        .atol([SOLVER_TOLERANCE, SOLVER_TOLERANCE])
-        .h0(1e-4)
-        .rhs(|x: &[f64], _p: &[f64], _t: f64, dx: &mut [f64]| {
-            dx[0] = acceleration(x[0]);
-            dx[1] = x[0];
-        })
-        .init(
-            |_p: &[f64], _t: f64, x: &mut [f64]| x.copy_from_slice(&start),
-            2,
-        )
-        .root(
-            |x: &[f64], _p: &[f64], _t: f64, g: &mut [f64]| g[0] = event(x[0], x[1]),
-            1,
-        )
-        .build()
+        .atol(SOLVER_TOLERANCE)
+        .max_steps(100_000);
+    let solution = IVP::ode_from_fn(equations, range[0], range[1], start)
+        .method(method)
+        .solve()
         .unwrap();
-    let mut solver = problem.tsit45().unwrap();
-    solver.set_stop_time(1e3).unwrap();
-    loop {
-        match solver.step().unwrap() {
-            OdeSolverStopReason::RootFound(time, _) => {
-                let state = solver.interpolate(time).unwrap();
-                return [time, state[0], state[1]];
-            }
-            OdeSolverStopReason::TstopReached => panic!("the event was not found"),
-            OdeSolverStopReason::InternalTimestep => {}
-        }
-    }
+    *solution.last().unwrap().1
+}
+
+/// From launch until the speed is zero, which is where an integration over the speed ends.
+fn until_rest(acceleration: impl Fn(f64) -> f64) -> State {
+    solve([1.0, 0.0], [0.0, 1.0, 0.0], |[_, u, _]| {
+        let per_speed = acceleration(u).recip();
+        [per_speed, 1.0, u * per_speed]
+    })
+}
+
+/// From rest or launch until a way, which is where an integration over the way ends. Over the way, the rates at rest are
+/// infinite: the start is integrated over time, for half the time that the way takes without drag.
+fn until_way(way: f64, speed: f64, acceleration: impl Fn(f64) -> f64) -> State {
+    let half = if speed > 0.0 {
+        way / speed
+    } else {
+        (2.0 * way).sqrt()
+    } / 2.0;
+    let started = solve([0.0, half], [0.0, speed, 0.0], |[_, u, _]| {
+        [1.0, acceleration(u), u]
+    });
+    solve([started[2], way], started, |[_, u, _]| {
+        [u.recip(), acceleration(u) / u, 1.0]
+    })
 }
 
 /// A flight by the ODE solver.
 fn flight_by_ode(model: &FlightModel, speed: f64) -> Flight {
     let drag = |u: f64| model.drag_over_weight(speed * u.abs()).unwrap();
-    let [rise_time, _, apex] = until([1.0, 0.0], |u| -1.0 - drag(u), |u, _| u);
-    let [fall_time, impact, _] = until([0.0, 0.0], |u| 1.0 - drag(u), |_, y| y - apex);
+    let [rise_time, _, apex] = until_rest(|u| -1.0 - drag(u));
+    let [fall_time, impact, _] = until_way(apex, 0.0, |u| 1.0 - drag(u));
     let time_unit = speed / model.gravity_m_s2();
     Flight {
         launch_speed_m_s: speed,
@@ -191,7 +194,7 @@ fn falls_agree_with_the_equations_of_motion() {
             let fall = model.fall(height).unwrap();
             let unit = (9.81 * height).sqrt();
             let drag = |u: f64| model.drag_over_weight(unit * u.abs()).unwrap();
-            let [time, speed, _] = until([0.0, 0.0], |u| 1.0 - drag(u), |_, y| y - 1.0);
+            let [time, speed, _] = until_way(1.0, 0.0, |u| 1.0 - drag(u));
             assert!((time * unit / 9.81 / fall.time_s - 1.0).abs() < AGREEMENT);
             assert!((speed * unit / fall.impact_speed_m_s - 1.0).abs() < AGREEMENT);
         }
@@ -219,12 +222,12 @@ fn states_agree_with_the_equations_of_motion() {
         let height_unit = speed * speed / 9.81;
         for part in [0.1, 0.5, 0.9] {
             let level = part * flight.apex_m / height_unit;
-            let [time, u, _] = until([1.0, 0.0], |u| -1.0 - drag(u), |_, y| y - level);
+            let [time, u, _] = until_way(level, 1.0, |u| -1.0 - drag(u));
             let state = model.state(&flight, time * speed / 9.81);
             assert!((state.height_m / (level * height_unit) - 1.0).abs() < AGREEMENT);
             assert!((state.velocity_m_s / (u * speed) - 1.0).abs() < AGREEMENT);
 
-            let [time, u, _] = until([0.0, 0.0], |u| 1.0 - drag(u), |_, y| y - level);
+            let [time, u, _] = until_way(level, 0.0, |u| 1.0 - drag(u));
             let state = model.state(&flight, flight.rise_time_s + time * speed / 9.81);
             let above = flight.apex_m - level * height_unit;
             assert!((state.height_m - above).abs() < AGREEMENT * flight.apex_m);

@@ -4,7 +4,7 @@ diagnostic-too-few-sounds = { $count ->
     [one] Nur ein Laut hebt sich vom Hintergrund ab
    *[other] Nur { $count } Laute heben sich vom Hintergrund ab
   }; einen springenden Ball erkennt man an mindestens { $needed } Aufprallen.
-diagnostic-periodic-sounds = { $count } Laute kommen im Takt, etwa alle { $interval_s } s, wie von einer Uhr, von Schritten oder einer Trommel; die Flüge eines Balls werden kürzer.
+diagnostic-periodic-sounds = { $count } Laute kommen im Takt, etwa alle { $interval_s }, wie von einer Uhr, von Schritten oder einer Trommel; die Flüge eines Balls werden kürzer.
 diagnostic-no-pattern = { $count } Laute heben sich ab, aber keine { $needed } davon kommen in schrumpfenden Abständen wie die Aufpralle eines Balls.
 diagnostic-too-few-times = Ein Flug braucht zwei Aufprallzeiten, und es sind weniger.
 diagnostic-too-many-times = Die Liste hat { $count } Zeiten; kein Versuch hat mehr als { $most } Aufpralle. Nenne die eines Versuchs. Eine abgetastete Wellenform braucht eine zweite Spalte, die Amplitude.
@@ -89,6 +89,7 @@ diagnostic-few-impacts = { $count ->
     [3] 3 Aufpralle zeigen eine einzige Stoßzahl und nicht, wie sie sich mit dem Tempo ändert
    *[other] { $count } Aufpralle zeigen nur wenige Stoßzahlen
   }; der Rest der Antwort ist, was man von Bällen überhaupt weiß.
+diagnostic-flights-may-be-two = Nur { $count } Aufschläge: Blieb zwischen je zweien einer unerkannt, so behält der Ball { $restitution } seiner Geschwindigkeit, und er fiel aus { $height_m }. Die Zeiten passen zu beidem.
 diagnostic-law-needs-impacts = Das Gesetz der Stoßzahl „{ $law }“ braucht { $needed } Aufpralle zwischen zwei Flügen, um von einer gleichbleibenden Stoßzahl zu unterscheiden zu sein, und hier gibt es { $seen ->
     [one] einen
    *[other] { $seen }

@@ -186,6 +186,9 @@ page-faults-series-storage-do = Was vorher gespeichert wurde, ist unverändert d
 page-faults-archive-what = Das ist keine vollständige Datei aufgehobener Versuche.
 page-faults-archive-do = Kopiere oder lade sie noch einmal und füge diese hinzu. Was hier aufgehoben ist, ist unverändert.
 
+page-faults-bad-drop-what = Diesen Versuch kann diese Seite nicht aufgehoben haben.
+page-faults-bad-drop-do = Bitte um seine Aufnahme oder seinen Link. Die anderen Versuche der Datei sind hinzugefügt.
+
 page-faults-archive-newer-what = Eine neuere Fassung dieser Seite hat diese Datei gespeichert.
 page-faults-archive-newer-do = Lade die Seite neu und füge die Datei noch einmal hinzu. Was hier aufgehoben ist, ist unverändert.
 

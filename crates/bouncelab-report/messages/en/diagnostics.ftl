@@ -7,7 +7,7 @@ diagnostic-too-few-sounds = { $count ->
     [one] Only 1 sound stands out from the background
    *[other] Only { $count } sounds stand out from the background
   }; the detection of a drop needs at least { $needed } impacts.
-diagnostic-periodic-sounds = { $count } sounds are periodic, about every { $interval_s } s, like those of a clock, steps or a drum; the flights of a ball become shorter.
+diagnostic-periodic-sounds = { $count } sounds are periodic, about every { $interval_s }, like those of a clock, steps or a drum; the flights of a ball become shorter.
 diagnostic-no-pattern = { $count } sounds stand out from the background, but no { $needed } of them have the decreasing intervals of a bouncing ball.
 diagnostic-too-few-times = A flight needs two impact times, and there are fewer.
 diagnostic-too-many-times = The list has { $count } times; no drop has more than { $most } impacts. List those of one drop. A sampled waveform needs a second column, the amplitude.
@@ -92,6 +92,7 @@ diagnostic-few-impacts = { $count ->
     [3] 3 impacts show a single restitution of the ball, and not how it changes with speed
    *[other] { $count } impacts show few restitutions of the ball
   }; the rest of the result comes from the priors.
+diagnostic-flights-may-be-two = Only { $count } impacts: if one between each two of them was not detected, the ball keeps { $restitution } of its speed, and it fell from { $height_m }. The times fit both.
 diagnostic-law-needs-impacts = The { $law } restitution law needs { $needed } impacts between two flights to be distinguished from a constant, and there { $seen ->
     [one] is 1
    *[other] are { $seen }

@@ -188,6 +188,9 @@ page-faults-series-storage-do = What was kept before is there, unchanged. A priv
 page-faults-archive-what = This is no whole file of kept drops.
 page-faults-archive-do = Copy or download it again, and add that one. What is kept here has not changed.
 
+page-faults-bad-drop-what = This drop is none that this page could have kept.
+page-faults-bad-drop-do = Ask for its recording or its link. The other drops of the file were added.
+
 page-faults-archive-newer-what = A newer version of this page saved this file.
 page-faults-archive-newer-do = Reload the page, and add the file again. What is kept here has not changed.
 

@@ -4,7 +4,7 @@ diagnostic-too-few-sounds = { $count ->
     [one] Solo 1 sonido destaca
    *[other] Solo { $count } sonidos destacan
   } sobre el ruido de fondo; la detección de un ensayo necesita al menos { $needed } impactos.
-diagnostic-periodic-sounds = { $count } sonidos son periódicos, cada { $interval_s } s aproximadamente, como los de un reloj, unos pasos o un tambor; los vuelos de una pelota se acortan.
+diagnostic-periodic-sounds = { $count } sonidos son periódicos, cada { $interval_s } aproximadamente, como los de un reloj, unos pasos o un tambor; los vuelos de una pelota se acortan.
 diagnostic-no-pattern = { $count } sonidos destacan sobre el ruido de fondo, pero no hay { $needed } de ellos con los intervalos decrecientes de una pelota que rebota.
 diagnostic-too-few-times = Un vuelo necesita dos tiempos de impacto, y hay menos.
 diagnostic-too-many-times = La lista tiene { $count } tiempos; ningún ensayo tiene más de { $most } impactos. Indica los de un solo ensayo. Una forma de onda muestreada necesita una segunda columna, la amplitud.
@@ -89,6 +89,7 @@ diagnostic-few-impacts = { $count ->
     [3] 3 impactos muestran una sola restitución de la pelota, y no cómo cambia con la velocidad
    *[other] { $count } impactos muestran pocas restituciones de la pelota
   }; el resto del resultado viene de las distribuciones a priori.
+diagnostic-flights-may-be-two = Solo { $count } impactos: si entre cada dos de ellos no se detectó uno, la pelota conserva { $restitution } de su velocidad y cayó desde { $height_m }. Los tiempos concuerdan con ambas cosas.
 diagnostic-law-needs-impacts = Para distinguirse de una constante, la ley de restitución «{ $law }» necesita { $needed } impactos entre dos vuelos, y hay { $seen }: el cambio de la restitución con la velocidad viene de la distribución a priori.
 diagnostic-impacts-odd = { $count ->
     [one] El impacto { $impacts } es atípico y pesa menos: la pelota pudo desviarse o dar en un borde, o el sonido es otra cosa.

@@ -189,6 +189,9 @@ page-faults-series-storage-do = Lo guardado antes sigue ahí, sin cambios. Una v
 page-faults-archive-what = Esto no es un archivo completo de ensayos guardados.
 page-faults-archive-do = Cópialo o descárgalo otra vez, y añade ese. Lo guardado aquí no ha cambiado.
 
+page-faults-bad-drop-what = Esta página no pudo guardar este ensayo.
+page-faults-bad-drop-do = Pide su grabación o su enlace. Los otros ensayos del archivo se han añadido.
+
 page-faults-archive-newer-what = Una versión más nueva de esta página guardó este archivo.
 page-faults-archive-newer-do = Recarga la página y añade el archivo otra vez. Lo guardado aquí no ha cambiado.
 

@@ -4,7 +4,7 @@ diagnostic-too-few-sounds = { $count ->
     [one] Seul { $count } son se détache
    *[other] Seuls { $count } sons se détachent
   } du bruit de fond ; la détection d’un essai demande au moins { $needed } impacts.
-diagnostic-periodic-sounds = { $count } sons sont périodiques, toutes les { $interval_s } s environ, comme ceux d’une horloge, de pas ou d’un tambour ; les vols d’une balle, eux, raccourcissent.
+diagnostic-periodic-sounds = { $count } sons sont périodiques, toutes les { $interval_s } environ, comme ceux d’une horloge, de pas ou d’un tambour ; les vols d’une balle, eux, raccourcissent.
 diagnostic-no-pattern = { $count } sons se détachent du bruit de fond, mais { $needed } d’entre eux n’ont nulle part les intervalles décroissants d’une balle qui rebondit.
 diagnostic-too-few-times = Un vol demande deux temps d’impact, et il y en a moins.
 diagnostic-too-many-times = La liste a { $count } temps ; aucun essai n’a plus de { $most } impacts. Donne ceux d’un seul essai. Une forme d’onde échantillonnée demande une seconde colonne, l’amplitude.
@@ -89,6 +89,7 @@ diagnostic-few-impacts = { $count ->
     [3] 3 impacts montrent une seule restitution de la balle, et non comment elle change avec la vitesse
    *[other] { $count } impacts montrent peu de restitutions de la balle
   } ; le reste du résultat vient des lois a priori.
+diagnostic-flights-may-be-two = { $count } impacts seulement : si un impact entre deux autres n’a chaque fois pas été détecté, la balle garde { $restitution } de sa vitesse, et elle est tombée de { $height_m }. Les temps correspondent aux deux.
 diagnostic-law-needs-impacts = Pour se distinguer d’une constante, la loi de restitution « { $law } » demande { $needed } impacts entre deux vols, et il y en a { $seen } : la variation de la restitution avec la vitesse vient de la loi a priori.
 diagnostic-impacts-odd = { $count ->
     [one] L’impact { $impacts } est aberrant et pèse moins : la balle a pu dévier ou toucher un bord, ou le son est autre chose.

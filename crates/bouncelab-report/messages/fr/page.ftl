@@ -189,6 +189,9 @@ page-faults-series-storage-do = Ce qui a été conservé avant est là, inchang�
 page-faults-archive-what = Ce n’est pas un fichier complet d’essais conservés.
 page-faults-archive-do = Copie-le ou télécharge-le à nouveau, et ajoute celui-là. Ce qui est conservé ici n’a pas changé.
 
+page-faults-bad-drop-what = Cette page n’a pas pu conserver cet essai.
+page-faults-bad-drop-do = Demande son enregistrement ou son lien. Les autres essais du fichier ont été ajoutés.
+
 page-faults-archive-newer-what = Une version plus récente de cette page a enregistré ce fichier.
 page-faults-archive-newer-do = Recharge la page, et ajoute le fichier à nouveau. Ce qui est conservé ici n’a pas changé.
 

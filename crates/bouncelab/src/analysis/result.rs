@@ -26,7 +26,7 @@ pub struct Recording {
     pub strongest_band: Option<StrongestBand>,
     /// The drops, in order of time.
     pub drops: Vec<Drop>,
-    /// Why there is none.
+    /// Why the recording has no drop, if it has none.
     pub no_drop: Option<Diagnostic>,
     /// What may be a drop, but is less likely one than other sounds: the most likely first, a few at most.
     pub candidates: Vec<DropCandidate>,

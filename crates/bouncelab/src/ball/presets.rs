@@ -490,7 +490,7 @@ mod tests {
         ] {
             assert_eq!(preset(words).map(|ball| ball.name), Ok(name), "{words}");
         }
-        // A ball in general, and a part of a word, are none of them.
+        // Words for a ball in general, or for a part of a name, name no preset.
         for words in ["", "ball", "super", "foot", "table", "red", "balle de"] {
             assert!(preset(words).is_err(), "{words}");
         }

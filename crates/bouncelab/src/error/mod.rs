@@ -405,7 +405,7 @@ impl Error {
     }
 }
 
-/// The name most similar to one that is not known, the first of equally similar ones; empty if there are none.
+/// The known name that is most similar to this one, the first of equally similar ones; empty if no name is known.
 pub(crate) fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> &'a str {
     let likeness = |candidate: &str| strsim::jaro_winkler(name, candidate);
     let better = |best: &'a str, other: &'a str| {

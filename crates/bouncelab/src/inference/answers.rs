@@ -124,6 +124,8 @@ impl Answers {
             diagnostics.push(Diagnostic::new(Code::NeverRests));
         }
         diagnostics.extend(findings::scattered(&posterior, restitution_scatter.value));
+        let (e, h) = (of(&self.restitution)?.value, of(&self.drop_height_m)?.value);
+        diagnostics.extend(findings::doubled(&posterior, e, h));
         let fitted = speeds.slowest_m_s..=speeds.fastest_m_s;
         let mut round = ROUND_SPEEDS_M_S.into_iter();
         let round_speed_m_s = round.find(|speed| fitted.contains(speed));

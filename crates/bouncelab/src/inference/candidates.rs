@@ -485,7 +485,7 @@ impl SampledPosterior {
 /// Each ball that can be dropped so, and the speeds by the first of them.
 ///
 /// # Errors
-/// That of the first ball, if there is none.
+/// The error of the first ball, if none of the balls can be dropped so.
 fn media(
     balls: &[PossibleBall],
     environment: &Environment,

@@ -3,7 +3,8 @@
 use super::candidates::SampledPosterior;
 use super::likelihood::Innovation;
 use super::parameters::{
-    FEW_IMPACTS, LARGE_SCATTER_FACTOR, MANY_RESTITUTIONS, OUTLIER_WEIGHT, RELEVANT_WEIGHT,
+    FEW_IMPACTS, LARGE_SCATTER_FACTOR, MANY_RESTITUTIONS, MAX_DOUBLED, MIN_DOUBLED_HEIGHT_M,
+    OUTLIER_WEIGHT, RELEVANT_WEIGHT,
 };
 use crate::diagnostic::{Code, Diagnostic};
 use crate::restitution::LawKind;
@@ -60,6 +61,32 @@ pub(super) fn scattered(posterior: &SampledPosterior, scatter: f64) -> Option<Di
         let scattered = Diagnostic::new(Code::ScatterExceedsPrior);
         let scattered = scattered.with("relative_sd", scatter);
         scattered.with("assumed_relative_sd", assumed)
+    })
+}
+
+/// A diagnostic if each flight between few impacts may be two, of which nobody heard the impact in between: their times fit as
+/// well. Not if the other drop height is one from which nobody lets a ball fall, or if the height was measured.
+///
+/// Two flights of one ball last t (1 + e') together, and those of the next pair e'² as long, so that e' is the root of the
+/// restitution e that is found. From 2 e v / g = (1 + e') 2 e' v' / g follows v' = v e' / (1 + e'), and the height by its square.
+pub(super) fn doubled(
+    posterior: &SampledPosterior,
+    restitution: f64,
+    drop_height_m: f64,
+) -> Option<Diagnostic> {
+    let impacts = &posterior.observed().impacts;
+    let counted = impacts
+        .windows(2)
+        .all(|pair| pair[1].number == pair[0].number + 1);
+    let is_known = posterior.priors.drop_height_m.is_some() || posterior.priors.release_s.is_some();
+    let other = restitution.sqrt();
+    let height_m = drop_height_m * (other / (1.0 + other)).powi(2);
+    let may_be = impacts.len() <= MAX_DOUBLED && counted && !is_known;
+    (may_be && height_m >= MIN_DOUBLED_HEIGHT_M).then(|| {
+        Diagnostic::new(Code::FlightsMayBeTwo)
+            .with("count", impacts.len())
+            .with("restitution", other)
+            .with("height_m", height_m)
     })
 }
 

@@ -362,6 +362,12 @@ pub(super) const ROUND_SPEEDS_M_S: [f64; 9] = [1.0, 2.0, 0.5, 5.0, 0.2, 10.0, 0.
 /// An impact with less weight than this is an outlier: of regular ones about one in a thousand has so little.
 pub(super) const OUTLIER_WEIGHT: f64 = 0.25;
 
+/// Up to so many impacts each flight may be two: that one is missed between each two of more is not to be expected.
+pub(super) const MAX_DOUBLED: usize = 6;
+
+/// Drop height in metres below which nobody lets a ball fall to measure it.
+pub(super) const MIN_DOUBLED_HEIGHT_M: f64 = 0.15;
+
 /// Fewer impacts than this leave most to the priors.
 pub(super) const FEW_IMPACTS: usize = 5;
 

@@ -27,8 +27,8 @@ pub struct Posterior {
     pub first_speed_m_s: f64,
     /// The share of its kinetic energy that the ball kept at the first impact detected: e² at that speed.
     pub energy_kept: Estimate,
-    /// A round impact speed, at which drops can be compared, m/s: of 1, 2, 5, 10, ... that between the slowest and the
-    /// fastest impact which is nearest to 1 m/s; `None` if there is none.
+    /// An impact speed at which drops can be compared, m/s: of the round speeds 1, 2, 5, 10, ... between the slowest and the
+    /// fastest impact, the nearest to 1 m/s; `None` if no round speed lies between them.
     pub round_speed_m_s: Option<f64>,
     /// The restitution law at that speed.
     pub round_speed_restitution: Option<Estimate>,

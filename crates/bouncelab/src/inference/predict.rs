@@ -57,7 +57,7 @@ struct Bouncing<'a> {
     /// The least ratio of speed lost to speed kept at the slowest impact detected.
     least_loss: f64,
     bounces: usize,
-    /// So far.
+    /// Time and path from release to the impact that comes.
     rest: Rest,
 }
 

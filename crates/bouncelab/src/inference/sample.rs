@@ -2,11 +2,11 @@
 //!
 //! The best fit and its curvature give a normal distribution; draws from a Student's t of that
 //! shape, weighted by what the posterior really is, are the posterior. Where a first round shows that they do not
-//! fit, it corrects centre and shape. The draws are those of a scrambled Sobol sequence: each of them is as
-//! random as any, but together they cover the distribution more evenly than independent ones, so that fewer
-//! do (A. Owen, Ann. Stat. 25, 1541, 1997). The largest weights are smoothed by the generalised
-//! Pareto distribution that their tail follows, whose shape k shows whether the weights can be
-//! trusted at all (A. Vehtari et al., Pareto smoothed importance sampling, JMLR 25, 2024).
+//! fit, it corrects centre and shape; where that does not help, the widths follow the scatter. The draws are those
+//! of a scrambled Sobol sequence: each of them is as random as any, but together they cover the distribution more
+//! evenly than independent ones, so that fewer do (A. Owen, Ann. Stat. 25, 1541, 1997). The largest weights are
+//! smoothed by the generalised Pareto distribution that their tail follows, whose shape k shows whether the weights
+//! can be trusted at all (A. Vehtari et al., Pareto smoothed importance sampling, JMLR 25, 2024).
 
 use std::array;
 use std::f64::consts::SQRT_2;
@@ -19,11 +19,11 @@ use sobol_burley::{NUM_DIMENSION_SETS_4D, sample_4d};
 
 use super::fit::Fit;
 use super::parameters::{
-    DOUBTFUL_SHAPE, ENOUGH_DRAWS, FLATTENING_POWERS, MAX_ROUNDS, MIN_DRAWS, MIN_DRAWS_PER_UNKNOWN,
-    MIN_SHARE, MIN_TAIL, PILOT_DRAWS, PROPOSAL_EXPONENTIALS, PROPOSAL_FREEDOM, TAIL_ROOTS,
-    TAIL_SHARE, USUAL_SHARE, WIDENING,
+    DOUBTFUL_SHAPE, ENOUGH_DRAWS, FLATTENING_POWERS, MAX_PARETO_SHAPE, MAX_ROUNDS, MIN_DRAWS,
+    MIN_DRAWS_PER_UNKNOWN, MIN_SHARE, MIN_TAIL, PILOT_DRAWS, PROPOSAL_EXPONENTIALS,
+    PROPOSAL_FREEDOM, TAIL_ROOTS, TAIL_SHARE, USUAL_SHARE, WIDENING,
 };
-use super::unknowns::Model;
+use super::unknowns::{Model, Slot};
 use crate::simd::{LANES, Lanes, dispatch};
 use crate::stats::sorted;
 
@@ -59,17 +59,87 @@ impl Sample {
     }
 }
 
-/// A multivariate Student's t.
+/// A multivariate Student's t, or a funnel of it.
 struct Proposal {
     centre: DVector<f64>,
     /// Lower triangular root of its shape.
     root: DMatrix<f64>,
+    funnel: Option<Funnel>,
+}
+
+/// How the widths of all other unknowns follow one of them (R. M. Neal, Ann. Stat. 31, 705, section 8, 2003).
+struct Funnel {
+    by: usize,
+    /// Derivatives by it of the means of all unknowns.
+    slopes: DVector<f64>,
+    /// Derivative by it of the logarithms of their widths.
+    rate: f64,
+}
+
+impl Funnel {
+    /// That of draws off their mean with weights that add up to one, and where its axis has the mean of the unknown. The axis
+    /// is the regression by the widths, the rate is half the slope of the logarithm of the squared distance from it; each
+    /// takes the other.
+    fn of(by: usize, off: &DMatrix<f64>, weights: &DVector<f64>) -> Option<(Self, DVector<f64>)> {
+        const ROUNDS: usize = 5;
+        let position = off.row(by).transpose();
+        // Slopes of rows of values, and the values at the mean.
+        let regression = |values: &DMatrix<f64>, weights: &DVector<f64>| {
+            let total = weights.sum();
+            let mean = position.dot(weights) / total;
+            let leverage = position.add_scalar(-mean).component_mul(weights);
+            let slopes = values * &leverage / position.dot(&leverage);
+            let at_mean = values * weights / total - &slopes * mean;
+            (slopes, at_mean)
+        };
+        let precise =
+            |rate: f64| weights.component_mul(&position.map(|by| (-2.0 * rate * by).exp()));
+        let mut rate = 0.0;
+        let (mut slopes, mut axis) = regression(off, weights);
+        for _ in 0..ROUNDS {
+            let mut others = off - &slopes * position.transpose();
+            for mut off in others.column_iter_mut() {
+                off -= &axis;
+            }
+            let others = others.remove_row(by);
+            let information = Cholesky::new(covariance_of(&others, &precise(rate)))?;
+            let squares = information.solve(&others).component_mul(&others);
+            let logs = DMatrix::from_rows(&[squares.row_sum().map(f64::ln)]);
+            rate = 0.5 * regression(&logs, weights).0[0];
+            (slopes, axis) = regression(off, &precise(rate));
+        }
+        let funnel = Self { by, slopes, rate };
+        rate.is_finite().then_some((funnel, axis))
+    }
+
+    /// Takes the funnel out of draws off its axis.
+    fn straighten(&self, off: &mut DMatrix<f64>) {
+        for mut off in off.column_iter_mut() {
+            let by = off[self.by];
+            let narrow = (-self.rate * by).exp();
+            let expected = &self.slopes * by;
+            off.copy_from(&(&expected + (&off - &expected) * narrow));
+        }
+    }
+}
+
+/// The covariance of draws off their mean.
+fn covariance_of(off: &DMatrix<f64>, weights: &DVector<f64>) -> DMatrix<f64> {
+    let mut weighted = off.clone();
+    for (mut column, weight) in weighted.column_iter_mut().zip(weights) {
+        column *= weight.sqrt();
+    }
+    &weighted * weighted.transpose()
 }
 
 impl Proposal {
     fn new(centre: DVector<f64>, covariance: DMatrix<f64>, widening: f64) -> Option<Self> {
         let root = Cholesky::new(covariance * (widening * widening))?.unpack();
-        Some(Self { centre, root })
+        Some(Self {
+            centre,
+            root,
+            funnel: None,
+        })
     }
 
     /// Writes the draws that points of the unit cube stand for, from one of their sequence on, one in each column; the
@@ -112,17 +182,30 @@ impl Proposal {
             .fold(Lanes::all(1.0), |product, &it| product * it);
         let chi_squared = product.ln() * -2.0;
         let stretch = (Lanes::all(PROPOSAL_FREEDOM) / chi_squared).sqrt();
-        let drawn = (0..dimensions).map(|row| {
+        let off = (0..dimensions).map(|row| {
             let terms = (0..=row).map(|column| normal[column] * self.root[(row, column)]);
-            terms.fold(Lanes::all(0.0), Add::add) * stretch + self.centre[row]
+            terms.fold(Lanes::all(0.0), Add::add) * stretch
         });
+        let mut off: Vec<Lanes<L>> = off.collect();
         let squares = normal
             .iter()
             .fold(Lanes::all(0.0), |sum, normal| sum + *normal * *normal);
         let square = squares * stretch * stretch;
         let density = (square * (1.0 / PROPOSAL_FREEDOM) + 1.0).ln()
             * (-0.5 * (PROPOSAL_FREEDOM + dimensions as f64));
-        (drawn.collect(), density)
+        let mut log_volume = Lanes::all(0.0);
+        if let Some(Funnel { by, slopes, rate }) = &self.funnel {
+            let by = off[*by];
+            let log_width = by * *rate;
+            for (off, slope) in off.iter_mut().zip(slopes) {
+                let expected = by * *slope;
+                *off = expected + (*off - expected) * log_width.exp();
+            }
+            log_volume = log_width * (dimensions as f64 - 1.0);
+        }
+        let drawn = off.into_iter().zip(&self.centre);
+        let drawn = drawn.map(|(off, centre)| off + *centre).collect();
+        (drawn, density - log_volume)
     }
 
     /// Logarithm of the constant that [`Self::draw`] leaves out of the density.
@@ -228,12 +311,34 @@ pub(super) fn sample(
     effective_draws: usize,
     rng: &mut ChaCha8Rng,
 ) -> Option<Sample> {
+    let proposal = Proposal::new(fit.vector.clone(), fit.covariance.clone(), WIDENING)?;
+    let sample = rounds(model, proposal, None, effective_draws, rng)?;
+    if sample.pareto_shape < MAX_PARETO_SHAPE {
+        return Some(sample);
+    }
+    // Where the scatter is hardly seen, the widths of the other unknowns follow it.
+    let scatter = model.index(Slot::Scatter);
+    let of_funnel = scatter.and_then(|_| {
+        let proposal = adapted(&sample, WIDENING, scatter)?;
+        rounds(model, proposal, scatter, effective_draws, rng)
+    });
+    let better = of_funnel.filter(|found| found.is_better_than(&sample));
+    Some(better.unwrap_or(sample))
+}
+
+/// Draws of a proposal, and of those [`adapted`] to what they find, until they fit.
+fn rounds(
+    model: &Model,
+    mut proposal: Proposal,
+    funnel_by: Option<usize>,
+    effective_draws: usize,
+    rng: &mut ChaCha8Rng,
+) -> Option<Sample> {
     let enough = |share: f64| {
         let draws = effective_draws as f64 / share.clamp(MIN_SHARE, 1.0);
         (draws as usize).max(MIN_DRAWS)
     };
-    let pilot = PILOT_DRAWS * fit.vector.len();
-    let mut proposal = Proposal::new(fit.vector.clone(), fit.covariance.clone(), WIDENING)?;
+    let pilot = PILOT_DRAWS * proposal.centre.len();
     let mut draws = enough(USUAL_SHARE).min(pilot);
     let mut drawn = Drawn::new(rng);
     let mut best: Option<Sample> = None;
@@ -247,7 +352,7 @@ pub(super) fn sample(
         let adapted = if fits {
             None
         } else {
-            adapted(&found, WIDENING.powi(tries))
+            adapted(&found, WIDENING.powi(tries), funnel_by)
         };
         draws = enough(share).max(draws);
         if best.as_ref().is_none_or(|best| found.is_better_than(best)) {
@@ -329,8 +434,9 @@ fn effective_draws(weights: &[f64]) -> f64 {
 }
 
 /// The proposal with the mean and covariance that a pilot found. Where few draws have all the
-/// weight, the weights are flattened until enough count: a step in the right direction.
-fn adapted(pilot: &Sample, widening: f64) -> Option<Proposal> {
+/// weight, the weights are flattened until enough count: a step in the right direction. If an unknown is named, the widths
+/// of the others follow it.
+fn adapted(pilot: &Sample, widening: f64, funnel_by: Option<usize>) -> Option<Proposal> {
     let dimensions = pilot.vectors.nrows();
     let flattened = FLATTENING_POWERS
         .into_iter()
@@ -341,13 +447,24 @@ fn adapted(pilot: &Sample, widening: f64) -> Option<Proposal> {
         })
         .find(|weights| effective_draws(weights) > MIN_DRAWS_PER_UNKNOWN * dimensions as f64)?;
     let flattened = DVector::from_vec(flattened);
-    let mean = &pilot.vectors * &flattened;
+    let mut mean = &pilot.vectors * &flattened;
     let mut off = pilot.vectors.clone();
-    for (mut column, weight) in off.column_iter_mut().zip(&flattened) {
+    for mut column in off.column_iter_mut() {
         column -= &mean;
-        column *= weight.sqrt();
     }
-    Proposal::new(mean, &off * off.transpose(), widening)
+    let funnel = funnel_by.and_then(|by| Funnel::of(by, &off, &flattened));
+    if let Some((funnel, axis)) = &funnel {
+        for mut column in off.column_iter_mut() {
+            column -= axis;
+        }
+        mean += axis;
+        funnel.straighten(&mut off);
+    }
+    let proposal = Proposal::new(mean, covariance_of(&off, &flattened), widening)?;
+    Some(Proposal {
+        funnel: funnel.map(|(funnel, _)| funnel),
+        ..proposal
+    })
 }
 
 /// Replaces the largest weights by the quantiles of the generalised Pareto distribution that fits
@@ -472,6 +589,53 @@ mod tests {
             };
             assert_eq!(drawn_in(&[100]), drawn_in(&[43, 43, 100]));
         });
+    }
+
+    fn funnel(slopes: [f64; 3], rate: f64) -> Proposal {
+        // Its slopes are those of the others, whose rest is independent.
+        let slopes = DVector::from_column_slice(&slopes);
+        let rest = DMatrix::from_diagonal(&DVector::from_column_slice(&[1.0, 0.0, 1.0]));
+        let covariance = &slopes * slopes.transpose() + rest;
+        let proposal = Proposal::new(DVector::zeros(3), covariance, 1.2).unwrap();
+        Proposal {
+            funnel: Some(Funnel {
+                by: 1,
+                slopes,
+                rate,
+            }),
+            ..proposal
+        }
+    }
+
+    /// The density of a funnel is that of its draws: a normal distribution weighed by it has the integral one.
+    #[test]
+    fn the_density_of_a_funnel() {
+        for rate in [-0.5, 0.0, 0.3] {
+            let proposal = funnel([0.4, 1.0, -0.2], rate);
+            let mut draws = DMatrix::zeros(3, 1 << 14);
+            let densities = proposal.draw(1, 0, &mut draws);
+            let weights = draws.column_iter().zip(&densities).map(|(draw, density)| {
+                let normal = -0.5 * draw.norm_squared() - 1.5 * std::f64::consts::TAU.ln();
+                (normal - density - proposal.log_constant()).exp()
+            });
+            let integral = weights.sum::<f64>() / densities.len() as f64;
+            assert!((integral - 1.0).abs() < 0.01, "{rate}: {integral}");
+        }
+    }
+
+    /// Of the draws of a funnel its slopes and its rate are found, and without it no width follows the unknown any more.
+    #[test]
+    fn a_funnel_is_found_in_its_draws() {
+        let mut draws = DMatrix::zeros(3, 1 << 12);
+        funnel([0.4, 1.0, -0.2], 0.4).draw(1, 0, &mut draws);
+        let weights = DVector::from_element(draws.ncols(), 1.0 / draws.ncols() as f64);
+        let (found, axis) = Funnel::of(1, &draws, &weights).unwrap();
+        assert!(axis.norm() < 0.03, "{axis}");
+        assert!((found.rate - 0.4).abs() < 0.03, "{}", found.rate);
+        assert!((found.slopes[0] - 0.4).abs() < 0.05, "{}", found.slopes);
+        found.straighten(&mut draws);
+        let (straight, _) = Funnel::of(1, &draws, &weights).unwrap();
+        assert!(straight.rate.abs() < 0.03, "{}", straight.rate);
     }
 
     /// ln Γ at half and whole numbers: Γ(1/2) = π^1/2, Γ(4) = 6, Γ(9/2) = 105 π^1/2/16.

@@ -161,7 +161,7 @@ impl OnsetDetector {
     /// A detector that uses only the bands of which at least half lies between these frequencies.
     ///
     /// # Errors
-    /// [`Error::NoBand`] if there is none.
+    /// [`Error::NoBand`] if less than half of every band lies between them.
     ///
     /// ```
     /// use bouncelab::onset::OnsetDetector;

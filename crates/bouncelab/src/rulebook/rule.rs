@@ -460,7 +460,7 @@ impl Rule {
 /// The rule with a name.
 ///
 /// # Errors
-/// [`Error::UnknownName`] with the nearest name if there is none.
+/// [`Error::UnknownName`] if no rule has this name; it states the nearest name among those of the rules.
 ///
 /// ```
 /// use bouncelab::rulebook::{self, Rule};

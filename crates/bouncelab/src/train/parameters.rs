@@ -116,6 +116,11 @@ pub(super) const MAX_COMPARED: usize = 20;
 /// Factors, each on top of the one before, by which the rate is lowered to compare the waveforms of dull balls. At 44.1 kHz
 /// they leave the frequencies below some 5 kHz, 2.5 kHz and 0.7 kHz, the last those of a basketball.
 pub(super) const LOWERED_BY: [usize; 3] = [4, 2, 4];
+/// Maximum logarithm of how much more probable the waveform of one sound is for an impact, nats: among twenty others one in
+/// forty agrees by chance.
+pub(super) const MAX_LN_ALIKE: f64 = 3.7;
+/// Maximum growth of a flight after the last impact over the one before, in units of the scatter, if the waveform is evidence for it.
+pub(super) const MAX_GROWTH_SIGMA: f64 = 3.0;
 /// Time before and after a train in which more of its impacts may be found, s.
 pub(crate) const ALIGNED_REACH_S: f64 = 2.5;
 /// Parameters of the beta distribution of the share of impacts whose sounds agree: uniform, since it depends on ball and

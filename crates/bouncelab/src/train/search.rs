@@ -7,8 +7,9 @@ use super::parameters::{
     AGREEING_IMPACTS, AGREEING_OTHERS, AGREEING_SOUNDS, COMPARED_MARGIN_S, COMPARED_REACH_S,
     CONCURRENT_REACH_S, CROWD_REACH_S, EARLIER_FLIGHT_REACH, FOLLOWING_REACH_S, HIDDEN_BELOW_DB,
     HIDDEN_FLIGHT_REACH, ISOLATION_REACH_S, LN_CONCURRENT, LN_CONTINUES, LN_RHYTHM, LOWERED_BY,
-    MAX_COMPARED, MAX_DOUBT, MAX_FAINT_ONSETS, MAX_HIDING, MAX_MISSED, MIN_CANDIDATE_EVIDENCE,
-    MIN_CANDIDATE_IMPACTS, MIN_EVIDENCE, MIN_FALL_S, UNUSED_BELOW_DB, UNUSED_REACH_S,
+    MAX_COMPARED, MAX_DOUBT, MAX_FAINT_ONSETS, MAX_HIDING, MAX_LN_ALIKE, MAX_MISSED,
+    MIN_CANDIDATE_EVIDENCE, MIN_CANDIDATE_IMPACTS, MIN_EVIDENCE, MIN_FALL_S, UNUSED_BELOW_DB,
+    UNUSED_REACH_S,
 };
 use super::rhythm::{self, Pulse};
 use super::{MIN_IMPACTS, Onset, PeriodicSequence, Train, TrainImpact, TrainSearch};
@@ -96,17 +97,26 @@ fn search_among(onsets: &[Onset], span: Span, read: Read, result: &mut TrainSear
     };
     let end_before = onsets.partition_point(|o| o.time_s < before.end_s);
     search_among(&onsets[..end_before], before, read, result);
-    let end_s = best.end_s();
-    result.trains.push(best);
     let index_after = |time_s: f64| onsets.partition_point(|o| o.time_s <= time_s);
     let later = |start_s: f64| Span { start_s, ..span };
-    // What follows before the ball could fall again is the same ball as it comes to rest, or another.
-    let next_s = end_s + MIN_FALL_S;
-    let follows = index_after(end_s) < index_after(next_s);
-    let soon = &onsets[index_after(end_s)..index_after(end_s + FOLLOWING_REACH_S)];
-    if follows {
-        result.add_candidates(candidate(&Chains::of(soon, later(end_s)), read));
-    }
+    let mut last = best;
+    let next_s = loop {
+        let end_s = last.end_s();
+        let next_s = end_s + MIN_FALL_S;
+        let soon = &onsets[index_after(end_s)..index_after(end_s + FOLLOWING_REACH_S)];
+        // What follows before the ball could fall again is the same ball as it comes to rest, or another.
+        let follows = soon.first().is_some_and(|onset| onset.time_s <= next_s);
+        let chains = follows.then(|| Chains::of(soon, later(end_s)));
+        let next = chains
+            .as_ref()
+            .and_then(|it| following(it, onsets, &last, read));
+        result.trains.push(last);
+        let Some(train) = next else {
+            result.add_candidates(chains.and_then(|it| candidate(&it, read)));
+            break next_s;
+        };
+        last = train;
+    };
     search_among(&onsets[index_after(next_s)..], later(next_s), read, result);
 }
 
@@ -145,12 +155,54 @@ fn best<'c>(chains: &'c Chains, read: Read, ln_prior: f64) -> Option<Best> {
     if evidence < MIN_EVIDENCE {
         return Some(Best::Rhythm(chain.links));
     }
+    Some(Best::Drop(accepted(chain, onsets, evidence, read)))
+}
+
+/// The train of a chain that is a drop.
+fn accepted(mut chain: Chain, onsets: &[Onset], evidence: f64, read: Read) -> Train {
     // What an accepted drop makes more likely is no evidence for it.
     let log_bayes_factor = chain.evidence;
     chain.extend(onsets, LN_CONTINUES);
+    complete(&mut chain, onsets, read);
     chain.end_at_rhythm(onsets);
-    let impacts = impacts(onsets, &chain);
-    Some(Best::Drop(Train::new(impacts, evidence, log_bayes_factor)))
+    Train::new(impacts(onsets, &chain), evidence, log_bayes_factor)
+}
+
+/// The drop that follows another so soon that both are of one ball or of one place: one that sounds like the other need not
+/// stand out as much from chance and from a rhythm.
+fn following(chains: &Chains, onsets: &[Onset], earlier: &Train, read: Read) -> Option<Train> {
+    let mut chain = chains.best(MIN_IMPACTS)?;
+    weigh_sounds(&mut chain, chains.onsets, read);
+    let evidence = over_chance_and_rhythm(chains.onsets, &chain);
+    if evidence < -MAX_LN_ALIKE {
+        return None;
+    }
+    let before: Vec<Onset> = earlier.impacts.iter().map(|it| it.onset).collect();
+    let sounds = chain.sounds(chains.onsets);
+    let alike = ln_alike(onsets, &before, &sounds, read);
+    // The sounds of a rhythm are alike, so that all of them are no more evidence than one.
+    let evidence = evidence + alike.iter().flatten().sum::<f64>() / sounds.len() as f64;
+    (evidence >= MIN_EVIDENCE).then(|| accepted(chain, chains.onsets, evidence, read))
+}
+
+/// Adds the impacts before the first and after the last one of a drop that their times and their waveforms together make likely.
+fn complete(chain: &mut Chain, onsets: &[Onset], read: Read) {
+    loop {
+        let mut longer = chain.longer(onsets, LN_CONTINUES);
+        longer.retain(|it| it.ln_odds > -MAX_LN_ALIKE);
+        let ends: Vec<Onset> = longer.iter().map(|it| onsets[it.onset]).collect();
+        let alike = ln_alike(onsets, &chain.sounds(onsets), &ends, read);
+        let odds = std::iter::zip(longer, alike).filter_map(|(it, alike)| {
+            let alike = alike?;
+            Some((it.ln_odds + alike, it))
+        });
+        let best = odds.max_by(|one, other| one.0.total_cmp(&other.0));
+        match best {
+            Some((ln_odds, longer)) if ln_odds > 0.0 => *chain = longer.accepted(ln_odds),
+            _ => return,
+        }
+        chain.extend(onsets, LN_CONTINUES);
+    }
 }
 
 /// Adds the evidence of the sounds of a chain to that of its times.
@@ -349,41 +401,107 @@ fn isolation(onsets: &[Onset], chain: &Chain) -> f64 {
 /// A bright ball agrees over all frequencies, a dull one among other sounds only over low ones. Its brightness is unknown, so
 /// that the evidence is that of the mean of the probability ratios.
 fn agreement(onsets: &[Onset], chain: &Chain, read: Read) -> f64 {
-    let impacts: Vec<Onset> = chain.links.iter().map(|l| onsets[l.onset]).collect();
-    let start_s = impacts[0].time_s - COMPARED_REACH_S;
-    let end_s = impacts[impacts.len() - 1].time_s + COMPARED_REACH_S;
-    let near = onsets.partition_point(|o| o.time_s < start_s)
-        ..onsets.partition_point(|o| o.time_s <= end_s);
-    let is_other = |index: &usize| {
-        onsets[*index].stands_out() && chain.links.iter().all(|link| link.onset != *index)
-    };
-    let mut others: Vec<Onset> = near.filter(is_other).map(|index| onsets[index]).collect();
-    sort_by_number(&mut others, |onset| -onset.strength);
-    others.truncate(MAX_COMPARED);
-    let mut excerpt = read(start_s - COMPARED_MARGIN_S..end_s + COMPARED_MARGIN_S);
-    let mut ln_ratios = vec![agreement_in(&excerpt, &impacts, &others)];
-    for factor in LOWERED_BY {
-        excerpt = excerpt.lowered(factor);
-        ln_ratios.push(agreement_in(&excerpt, &impacts, &others));
-    }
-    rhythm::ln_mean(&ln_ratios)
+    let compared = compared(onsets, &chain.sounds(onsets), &[], read);
+    rhythm::ln_mean(&compared.iter().map(Compared::ln_drop).collect::<Vec<f64>>())
 }
 
-/// The same over the frequencies of these samples.
-fn agreement_in(excerpt: &Excerpt, impacts: &[Onset], others: &[Onset]) -> f64 {
-    let agreement = align::agreement(
-        impacts,
-        others,
-        &excerpt.samples,
-        excerpt.start_s,
-        excerpt.rate_hz,
-    );
-    let (agreeing, of_impacts) = agreement.impacts;
-    let (agreeing_others, of_others) = agreement.others;
-    let all = (agreeing + agreeing_others, of_impacts + of_others);
-    ln_share((agreeing, of_impacts), AGREEING_IMPACTS)
-        + ln_share((agreeing_others, of_others), AGREEING_OTHERS)
-        - ln_share(all, AGREEING_SOUNDS)
+/// For each of these sounds near a drop, the logarithm of how much more probable its waveform is if it is another impact of the
+/// drop; `None` if it cannot be compared.
+///
+/// It agrees with the impacts as probably as they agree with each other, or as the other sounds do. Each rate at
+/// which they are compared counts as much as it is evidence for the drop, and for a ball without higher frequencies.
+fn ln_alike(onsets: &[Onset], impacts: &[Onset], asked: &[Onset], read: Read) -> Vec<Option<f64>> {
+    if asked.is_empty() {
+        return Vec::new();
+    }
+    let compared = compared(onsets, impacts, asked, read);
+    let of_drop: Vec<f64> = compared.iter().map(Compared::ln_drop).collect();
+    // An impact before the others is louder: if they agree over high frequencies, it does, too. A fainter one may be lost in
+    // noise there.
+    let mut bright = of_drop.clone();
+    let mut dull = 0.0;
+    for (weight, it) in std::iter::zip(&mut bright, &compared) {
+        *weight += dull;
+        dull += ln_share(it.impacts, AGREEING_OTHERS) - ln_share(it.impacts, AGREEING_IMPACTS);
+    }
+    let of_sound = |index: usize| {
+        let is_earlier = asked[index].time_s < impacts[0].time_s;
+        let weights = if is_earlier { &bright } else { &of_drop };
+        let alike: Vec<Option<f64>> = compared.iter().map(|it| it.ln_alike(index)).collect();
+        alike.iter().any(Option::is_some).then(|| {
+            let both = std::iter::zip(weights, alike);
+            let both: Vec<f64> = both
+                .map(|(weight, it)| weight + it.unwrap_or(0.0))
+                .collect();
+            rhythm::ln_mean(&both) - rhythm::ln_mean(weights)
+        })
+    };
+    (0..asked.len()).map(of_sound).collect()
+}
+
+/// Which sounds agree with the impacts of a drop over the frequencies of one rate.
+struct Compared {
+    /// The number of impacts, and of other sounds, that agree, each with the number of those compared.
+    impacts: (usize, usize),
+    others: (usize, usize),
+    /// Whether each sound that was asked about agrees.
+    asked: Vec<Option<bool>>,
+}
+
+impl Compared {
+    /// Log probability ratio of a drop.
+    fn ln_drop(&self) -> f64 {
+        let all = (
+            self.impacts.0 + self.others.0,
+            self.impacts.1 + self.others.1,
+        );
+        ln_share(self.impacts, AGREEING_IMPACTS) + ln_share(self.others, AGREEING_OTHERS)
+            - ln_share(all, AGREEING_SOUNDS)
+    }
+
+    /// Log probability ratio of another impact, if it was compared.
+    fn ln_alike(&self, asked: usize) -> Option<f64> {
+        let agrees = self.asked[asked]?;
+        let ln_next = |(count, of): (usize, usize), prior| {
+            ln_share((count + usize::from(agrees), of + 1), prior) - ln_share((count, of), prior)
+        };
+        Some(ln_next(self.impacts, AGREEING_IMPACTS) - ln_next(self.others, AGREEING_OTHERS))
+    }
+}
+
+/// Compares the sounds that are `asked` about, and the strongest others near, with the impacts of a drop, over all frequencies and
+/// over ever lower ones.
+fn compared(onsets: &[Onset], impacts: &[Onset], asked: &[Onset], read: Read) -> Vec<Compared> {
+    let times_s = || impacts.iter().chain(asked).map(|onset| onset.time_s);
+    let start_s = times_s().fold(f64::INFINITY, f64::min) - COMPARED_REACH_S;
+    let end_s = times_s().fold(f64::NEG_INFINITY, f64::max) + COMPARED_REACH_S;
+    let near = onsets.partition_point(|o| o.time_s < start_s)
+        ..onsets.partition_point(|o| o.time_s <= end_s);
+    let is_other = |onset: &&Onset| {
+        onset.stands_out() && times_s().all(|time_s| (onset.time_s - time_s).abs() > 0.0)
+    };
+    let mut others: Vec<Onset> = onsets[near].iter().filter(is_other).copied().collect();
+    sort_by_number(&mut others, |onset| -onset.strength);
+    others.truncate(MAX_COMPARED);
+    let sounds = [asked, &others].concat();
+    let mut excerpt = read(start_s - COMPARED_MARGIN_S..end_s + COMPARED_MARGIN_S);
+    let compare = |excerpt: &Excerpt| {
+        let (samples, start_s, rate_hz) = (&excerpt.samples, excerpt.start_s, excerpt.rate_hz);
+        let mut agreement = align::agreement(impacts, &sounds, samples, start_s, rate_hz);
+        let others = agreement.others.split_off(asked.len());
+        let agreeing = others.iter().filter(|agrees| **agrees == Some(true));
+        Compared {
+            impacts: agreement.impacts,
+            others: (agreeing.count(), others.iter().flatten().count()),
+            asked: agreement.others,
+        }
+    };
+    let mut compared = vec![compare(&excerpt)];
+    for factor in LOWERED_BY {
+        excerpt = excerpt.lowered(factor);
+        compared.push(compare(&excerpt));
+    }
+    compared
 }
 
 /// Log probability that a given `count` of `of` sounds agree, if their share has
@@ -411,7 +529,7 @@ fn impacts(onsets: &[Onset], chain: &Chain) -> Vec<TrainImpact> {
         .map(|(link, without)| TrainImpact {
             onset: onsets[link.onset],
             number: link.number,
-            probability: logistic(chain.evidence - without),
+            probability: logistic((chain.evidence - without).min(chain.ln_odds_of(link.onset))),
         })
         .collect()
 }
@@ -492,6 +610,45 @@ mod tests {
     #[test]
     fn without_samples_the_waveforms_are_no_evidence() {
         assert!(evidence(&|_| Excerpt::default()).abs() < 1e-12);
+    }
+
+    /// The number of impacts of the drop after its first and its last one were left out, if the first comes a little early and
+    /// has this pitch where all others have 3 kHz.
+    fn completed_impacts(first_hz: f64) -> usize {
+        let (mut impacts_s, others_s) = times_s();
+        impacts_s[0] -= 0.015;
+        let impacts = (0..).zip(&impacts_s);
+        let impacts = impacts.map(|(n, t)| (*t, if n == 0 { first_hz } else { 3000.0 }));
+        let others = (1..).zip(&others_s);
+        let others = others.map(|(n, t)| (*t, 3000.0 + 1000.0 * f64::from(n)));
+        let mut sounds: Vec<(f64, f64)> = impacts.chain(others).collect();
+        sounds.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let onsets: Vec<Onset> = sounds.iter().map(|(t, _)| Onset::click(*t)).collect();
+        let samples = record(&sounds);
+        let chains = Chains::of(&onsets, Span::UNBOUNDED);
+        let mut chain = chains.best(MIN_IMPACTS).unwrap();
+        chain.links.pop();
+        chain.links.remove(0);
+        chain.links.iter_mut().for_each(|link| link.number -= 1);
+        complete(&mut chain, &onsets, &|_| Excerpt {
+            samples: samples.clone(),
+            start_s: 0.0,
+            rate_hz: RATE_HZ,
+        });
+        assert!(
+            chain
+                .links
+                .iter()
+                .map(|link| link.number)
+                .eq(0..chain.links.len() as u32)
+        );
+        chain.links.len()
+    }
+
+    #[test]
+    fn impacts_at_the_ends_of_a_drop_are_found_if_they_sound_like_the_others() {
+        assert_eq!(completed_impacts(3000.0), 6);
+        assert_eq!(completed_impacts(1000.0), 5);
     }
 
     #[test]

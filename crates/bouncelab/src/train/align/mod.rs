@@ -110,15 +110,15 @@ fn levels_db<'a>(
         .collect()
 }
 
-/// The number of impacts that agree with the stack of the others, and of other sounds that agree with the stack
-/// of all; each with the number of sounds compared.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// Which sounds agree with the impacts of a drop.
 pub(super) struct Agreement {
+    /// The number of impacts that agree with the stack of the others, and of those compared.
     pub(super) impacts: (usize, usize),
-    pub(super) others: (usize, usize),
+    /// Whether each other sound agrees with the stack of all impacts; `None` if it is not compared.
+    pub(super) others: Vec<Option<bool>>,
 }
 
-/// Counts how many of these impacts, and of other sounds, agree with the impacts.
+/// Compares impacts, and other sounds, with the impacts.
 pub(super) fn agreement(
     impacts: &[Onset],
     others: &[Onset],
@@ -137,8 +137,12 @@ pub(super) fn agreement(
     let mut others: Vec<Sound> = sounds
         .extract_if(.., |sound| sound.impact >= impacts.len())
         .collect();
+    let mut agreement = Agreement {
+        impacts: (0, 0),
+        others: vec![None; onsets.len() - impacts.len()],
+    };
     if sounds.len() < MIN_STACKED {
-        return Agreement::default();
+        return agreement;
     }
     let smoothing = smooth(&mut sounds, &span);
     smooth_by(&smoothing, &mut others, &span);
@@ -149,23 +153,18 @@ pub(super) fn agreement(
             sound.find_most_similar(&stack.without(index), &span);
         }
     }
-    let count = |sounds: &[Sound]| (sounds.iter().filter(|s| s.fits).count(), sounds.len());
-    let impacts = count(&sounds);
+    let agreeing = sounds.iter().filter(|sound| sound.fits).count();
+    agreement.impacts = (agreeing, sounds.len());
     // If the impacts have no common waveform, other sounds cannot share it.
-    if impacts.0 < MIN_AGREEING {
-        return Agreement {
-            impacts,
-            others: (0, 0),
-        };
+    if agreeing < MIN_AGREEING {
+        return agreement;
     }
     let stack = Stack::of(&sounds, &span);
     for sound in &mut others {
         sound.find_most_similar(&stack.sum, &span);
+        agreement.others[sound.impact - impacts.len()] = Some(sound.fits);
     }
-    Agreement {
-        impacts,
-        others: count(&others),
-    }
+    agreement
 }
 
 /// One of `factor` samples, each a mean of those around it, without the frequencies that would fold back.

@@ -8,13 +8,14 @@
 mod hypothesis;
 mod trend;
 
+use std::iter;
 use std::ops::Range;
 
 use super::evidence::{Span, Surroundings};
 use super::parameters::{
-    LN_DROP, LN_FIRST_INTERVAL, LN_MISSED, LN_RHYTHM, MAX_DOUBTED, MAX_HYPOTHESES, MAX_INTERVAL_S,
-    MAX_MISSED, MIN_DOUBTED_EVIDENCE, MIN_FLIGHT_S, MIN_PURSUED_EVIDENCE, MIN_RATIO_DIFFERENCE,
-    MIN_SCATTER_RATIO, MIN_STEP_EVIDENCE, SURFACES,
+    LN_DROP, LN_FIRST_INTERVAL, LN_MISSED, LN_RHYTHM, MAX_DOUBTED, MAX_GROWTH_SIGMA,
+    MAX_HYPOTHESES, MAX_INTERVAL_S, MAX_MISSED, MIN_DOUBTED_EVIDENCE, MIN_FLIGHT_S,
+    MIN_PURSUED_EVIDENCE, MIN_RATIO_DIFFERENCE, MIN_SCATTER_RATIO, MIN_STEP_EVIDENCE, SURFACES,
 };
 use super::rhythm::{self, Beat, Pulse};
 use super::{MIN_IMPACTS, Onset};
@@ -26,6 +27,26 @@ pub(super) struct Chain<'s> {
     pub(super) links: Vec<Link>,
     pub(super) evidence: f64,
     around: &'s [Surroundings],
+    /// The onsets that are impacts only if the others are, each with the logarithm of the odds of that.
+    doubted: Vec<(usize, f64)>,
+}
+
+/// A chain with one impact more than another.
+pub(super) struct Longer<'s> {
+    pub(super) chain: Chain<'s>,
+    /// The onset of that impact.
+    pub(super) onset: usize,
+    /// Logarithm of the odds, by its time and its level, that it is an impact of the other chain, if that is a drop.
+    pub(super) ln_odds: f64,
+}
+
+impl<'s> Longer<'s> {
+    /// The longer chain, if these are the odds of its impact by all that is known of it.
+    pub(super) fn accepted(self, ln_odds: f64) -> Chain<'s> {
+        let mut chain = self.chain;
+        chain.doubted.push((self.onset, ln_odds));
+        chain
+    }
 }
 
 /// All chains of some onsets that are worth pursuing.
@@ -153,6 +174,7 @@ impl<'o> Chains<'o> {
             links: trace(&self.nodes, end, last_onset),
             evidence: self.nodes[end].0.hypothesis.evidence,
             around: &self.around,
+            doubted: Vec::new(),
         }
     }
 }
@@ -278,7 +300,7 @@ pub(super) fn beats(onsets: &[Onset], links: &[Link]) -> Vec<Beat> {
     links.windows(2).map(beat).collect()
 }
 
-impl Chain<'_> {
+impl<'s> Chain<'s> {
     /// Whether most impacts of the shorter of the two are impacts of both.
     fn is_mostly_in(&self, other: &Self) -> bool {
         let is_shared = |link: &&Link| {
@@ -421,6 +443,102 @@ impl Chain<'_> {
         initial.map(Some).collect()
     }
 
+    /// Its onsets.
+    pub(super) fn sounds(&self, onsets: &[Onset]) -> Vec<Onset> {
+        self.links.iter().map(|link| onsets[link.onset]).collect()
+    }
+
+    /// Maximum logarithm of the odds that this onset is an impact, if the others are.
+    pub(super) fn ln_odds_of(&self, onset: usize) -> f64 {
+        let doubted = self.doubted.iter().find(|(doubted, _)| *doubted == onset);
+        doubted.map_or(f64::INFINITY, |(_, ln_odds)| *ln_odds)
+    }
+
+    /// The chains that have one impact more, before the first or after the last one. `ln_odds` is the logarithm of the odds that
+    /// there is one.
+    pub(super) fn longer(&self, onsets: &[Onset], ln_odds: f64) -> Vec<Longer<'s>> {
+        let Some(hypothesis) = self.hypothesis(onsets) else {
+            return Vec::new();
+        };
+        let flight_s = |from: Link, to: Link| {
+            let interval_s = onsets[to.onset].time_s - onsets[from.onset].time_s;
+            interval_s / f64::from(to.number - from.number)
+        };
+        let last = self.links.len() - 1;
+        let last_flight_s = flight_s(self.links[last - 1], self.links[last]);
+        // A sound that is alike may be an impact of another drop, whose flights are longer.
+        let max_flight_s = last_flight_s * (MAX_GROWTH_SIGMA * hypothesis.scatter2.sqrt()).exp();
+        let later = self.next(onsets, &hypothesis);
+        let later = later.filter(|(_, link)| flight_s(self.links[last], *link) < max_flight_s);
+        let later = later.map(|(next, link)| {
+            let more = next.evidence - hypothesis.evidence;
+            Longer {
+                chain: self.with([self.links.as_slice(), &[link]].concat(), more),
+                onset: link.onset,
+                ln_odds: ln_odds + more,
+            }
+        });
+        let first = self.links[0].onset;
+        let near = (0..first)
+            .rev()
+            .take_while(|&onset| onsets[first].time_s - onsets[onset].time_s < MAX_INTERVAL_S);
+        let earlier = near.filter_map(|onset| {
+            let later = self.links.iter().map(|link| Link {
+                number: link.number + 1,
+                ..*link
+            });
+            let links = iter::once(Link { onset, number: 0 }).chain(later);
+            let mut chain = self.with(links.collect(), 0.0);
+            let more = chain.hypothesis(onsets)?.evidence - hypothesis.evidence;
+            chain.evidence += more;
+            // How rare drops are is no evidence here: the drop is certain, only its beginning is not.
+            let rarity = self.around[onset].ln_drop() - self.around[first].ln_drop();
+            Some(Longer {
+                chain,
+                onset,
+                ln_odds: ln_odds + more - rarity,
+            })
+        });
+        earlier.chain(later).collect()
+    }
+
+    /// A chain of other links, with this much more evidence.
+    fn with(&self, links: Vec<Link>, more: f64) -> Self {
+        Self {
+            links,
+            evidence: self.evidence + more,
+            around: self.around,
+            doubted: self.doubted.clone(),
+        }
+    }
+
+    /// The hypotheses after each impact that may follow.
+    fn next(
+        &self,
+        onsets: &[Onset],
+        hypothesis: &Hypothesis,
+    ) -> impl Iterator<Item = (Hypothesis, Link)> {
+        let state = State::new(*hypothesis);
+        let last = self.links[self.links.len() - 1];
+        let interval_s = move |onset: usize| onsets[onset].time_s - onsets[last.onset].time_s;
+        let near =
+            (last.onset + 1..onsets.len()).take_while(move |&o| interval_s(o) < MAX_INTERVAL_S);
+        let far_enough = near.filter(move |&onset| interval_s(onset) >= MIN_FLIGHT_S);
+        far_enough.filter_map(move |onset| {
+            let mut step = Step::new(onsets, self.around, (last.onset, onset));
+            // Its strength is no evidence here: any sound may be there by chance.
+            let around = &self.around[onset];
+            step.common +=
+                around.any_by_chance(step.interval_s).ln() - around.by_chance(step.interval_s).ln();
+            let each = (0..=MAX_MISSED).filter_map(|missed| {
+                let next = state.next(&step, missed, f64::NEG_INFINITY)?;
+                let number = last.number + 1 + missed as u32;
+                Some((next, Link { onset, number }))
+            });
+            each.max_by(|one, other| one.0.evidence.total_cmp(&other.0.evidence))
+        })
+    }
+
     /// Adds impacts after the last one, down to the faintest: the drop now predicts when the next one comes and how loud,
     /// so that it need not stand out of the other sounds. `ln_odds` is the logarithm of the odds that there is another.
     pub(super) fn extend(&mut self, onsets: &[Onset], ln_odds: f64) {
@@ -428,35 +546,16 @@ impl Chain<'_> {
             return;
         };
         loop {
-            let state = State::new(hypothesis);
-            let last = self.links[self.links.len() - 1];
-            let near = onsets[last.onset + 1..]
-                .iter()
-                .take_while(|o| o.time_s - onsets[last.onset].time_s < MAX_INTERVAL_S);
-            let enough = hypothesis.evidence - ln_odds;
-            let mut best: Option<(Hypothesis, Link)> = None;
-            for (ahead, _) in near.enumerate() {
-                let onset = last.onset + 1 + ahead;
-                let mut step = Step::new(onsets, self.around, (last.onset, onset));
-                if step.interval_s < MIN_FLIGHT_S {
-                    continue;
-                }
-                // Its strength is no evidence here: any sound may be there by chance.
-                let around = &self.around[onset];
-                step.common += around.any_by_chance(step.interval_s).ln()
-                    - around.by_chance(step.interval_s).ln();
-                for missed in 0..=MAX_MISSED {
-                    let min_evidence = best.as_ref().map_or(enough, |b| b.0.evidence);
-                    if let Some(next) = state.next(&step, missed, min_evidence) {
-                        let number = last.number + 1 + missed as u32;
-                        best = Some((next, Link { onset, number }));
-                    }
-                }
-            }
+            let next = self.next(onsets, &hypothesis);
+            let best = next.max_by(|one, other| one.0.evidence.total_cmp(&other.0.evidence));
             let Some((next, link)) = best else {
                 return;
             };
-            self.evidence += next.evidence - hypothesis.evidence;
+            let more = next.evidence - hypothesis.evidence;
+            if more <= -ln_odds {
+                return;
+            }
+            self.evidence += more;
             hypothesis = next;
             self.links.push(link);
         }
