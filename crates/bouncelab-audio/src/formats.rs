@@ -78,7 +78,7 @@ pub(crate) enum Length {
     Estimate,
 }
 
-/// What the chunks of WAV, AIFF and CAF hold.
+/// What the chunks of WAV and AIFF hold.
 const SAMPLES: [&str; 4] = [
     "integers of 8 to 32 bits",
     "floating point of 32 and 64 bits",
@@ -126,7 +126,12 @@ impl SoundFormat {
                 "CAF",
                 &["caf"],
                 &[
-                    SAMPLES[0], SAMPLES[1], SAMPLES[2], SAMPLES[3], "ALAC", "AAC-LC",
+                    "integers of 16 to 32 bits",
+                    SAMPLES[1],
+                    SAMPLES[2],
+                    SAMPLES[3],
+                    "ALAC",
+                    "AAC-LC",
                 ],
             ),
             Self::Flac => facts("FLAC", &["flac"], &["FLAC"]),
@@ -228,6 +233,11 @@ impl SoundFormat {
     /// Whether edit lists state which part of the sound is presented: those of the ISO base media format.
     pub(crate) fn has_edit_lists(self) -> bool {
         matches!(self, Self::Mp4 | Self::M4a | Self::Mov)
+    }
+
+    /// Whether the file is a row of chunks, of which one describes the sound: samples of equal length, mostly.
+    pub(crate) fn has_chunks(self) -> bool {
+        matches!(self, Self::Wav | Self::Aiff | Self::Caf)
     }
 
     /// Whether each packet has a time of its own, by which lost sound is noticed.

@@ -77,6 +77,19 @@ impl Input {
         }
     }
 
+    /// The sound, if it is no list; `rate_hz` is the rate of samples whose file does not state it.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Samples::at`].
+    pub fn sound(self, rate_hz: Option<u32>) -> Result<std::result::Result<SoundReader, TimeList>> {
+        Ok(match self {
+            Self::Sound(source) => Ok(*source),
+            Self::Samples(samples) => Ok(samples.at(rate_hz)?),
+            Self::Times(list) => Err(list),
+        })
+    }
+
     /// Detects the drops; the tasks of the plan analyse them, in threads of the caller.
     ///
     /// After each block of sound `watch` is called with the seconds that were read, and may end the work with
@@ -100,10 +113,9 @@ impl Input {
         options: &Options,
         mut watch: impl FnMut(f64) -> std::result::Result<(), E>,
     ) -> std::result::Result<Plan, E> {
-        let mut source = match self {
-            Self::Times(list) => return Ok(Plan::of_list(&list.times_s, list.origin, options)),
-            Self::Sound(source) => *source,
-            Self::Samples(samples) => samples.at(options.detection.rate_hz)?,
+        let mut source = match self.sound(options.detection.rate_hz)? {
+            Ok(source) => source,
+            Err(list) => return Ok(Plan::of_list(&list.times_s, list.origin, options)),
         };
         let (rate_hz, channels) = (source.sample_rate_hz(), source.channels());
         let mut detector = Detector::with_options(rate_hz, channels, &options.detection)?;

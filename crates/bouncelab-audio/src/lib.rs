@@ -48,6 +48,7 @@ pub use problem::{LayoutProblem, LooksLike, MissingContent, Stage, TimesProblem}
 pub use recorder::{Recorder, Store};
 pub use source::{
     Block, MAX_BLOCK_FRAMES, MAX_SAMPLE_RATE_HZ, MIN_SAMPLE_RATE_HZ, SoundReader, check_layout,
+    position_after,
 };
 pub use warning::Warning;
 pub use wav::{SampleFormat, encode_wav, note_gaps};

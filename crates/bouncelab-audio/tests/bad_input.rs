@@ -113,6 +113,44 @@ fn a_codec_that_cannot_be_decoded_is_named_with_a_way_out() {
     assert!(error.to_string().contains("ffmpeg -i"), "{error}");
 }
 
+/// Containers that are not read are sound all the same, and a WAV may hold codecs that the demuxer does not know.
+#[test]
+fn sound_of_other_programs_is_named() {
+    let mut mp3_in_wav = fixture("pcm16.wav");
+    mp3_in_wav[20] = 0x55;
+    let mut caf_of_8_bits = fixture("pcm16.caf");
+    (caf_of_8_bits[39], caf_of_8_bits[51]) = (1, 8);
+    let mut speex = vec![0; 600];
+    speex[..4].copy_from_slice(b"OggS");
+    speex[28..36].copy_from_slice(b"Speex   ");
+    let mut stream = vec![0; 600];
+    (0..600).step_by(188).for_each(|at| stream[at] = b'G');
+    for (bytes, said) in [
+        (mp3_in_wav, "this WAV file: MP3"),
+        (
+            caf_of_8_bits,
+            "this CAF file: caf: unsupported bits per channel",
+        ),
+        (speex, "this Ogg file: Speex"),
+        (stream, "this MPEG transport stream file"),
+        (b"#!AMR\n\x04\0\0".to_vec(), "this AMR file: AMR"),
+        (
+            b"\x30\x26\xb2\x75\x8e\x66\xcf\x11".to_vec(),
+            "this ASF file: WMA",
+        ),
+        (b".snd\0\0\0\x18".to_vec(), "this AU file: PCM"),
+    ] {
+        let refused = refusal(bytes, "phone").to_string();
+        assert!(
+            refused.contains(said) && refused.contains("ffmpeg -i"),
+            "{refused}"
+        );
+    }
+    // A table is no sound of Monkey's Audio, whatever its first heading is.
+    let table = refusal(&b"MAC address, time\n"[..], "table.csv");
+    assert!(matches!(table, Error::NotSound { .. }), "{table}");
+}
+
 #[test]
 fn rates_too_low_for_timing_are_refused() {
     let sound = [0.0; 100];
@@ -251,7 +289,14 @@ fn a_wav_whose_rate_contradicts_its_bytes_a_second_is_doubted() {
 /// channels at the same rate.
 #[test]
 fn no_bit_of_a_header_changes_the_layout_without_a_word() {
-    for (name, header) in [("pcm16.wav", 44), ("pcm16.aiff", 54), ("pcm16.caf", 72)] {
+    for (name, header) in [
+        ("pcm16.wav", 44),
+        ("pcm16.aiff", 54),
+        ("pcm16.caf", 72),
+        ("alaw.wav", 58),
+        ("alaw.aiff", 72),
+        ("mulaw.caf", 92),
+    ] {
         let layout = |file: Vec<u8>| {
             let mut source = SoundReader::from_bytes(file, name).ok()?;
             let mut frames = 0;

@@ -155,18 +155,18 @@ fn an_mp3_with_a_wrong_checksum_is_reported_as_altered() {
     }
 }
 
-/// It costs the first impact, and only the checksum of the whole stream shows it.
+/// It damages the first impact, which is found only because the others sound like it, and only the checksum of the whole stream
+/// shows it.
 #[test]
-fn a_bit_that_costs_an_impact_puts_all_of_the_sound_in_doubt() {
+fn a_bit_that_damages_an_impact_puts_all_of_the_sound_in_doubt() {
     let name = "constant.mp3";
     let file = files().into_iter().find(|it| it.0 == name).unwrap().1;
     let options = Options::default().without_inference();
     let whole = analyse(&file, name, &options).unwrap();
     let damaged = analyse(&Damage::Bit.at(17, &file), name, &options).unwrap();
-    assert_eq!(
-        damaged.drops[0].impacts.len() + 1,
-        whole.drops[0].impacts.len()
-    );
+    let [before, after] = [&whole, &damaged].map(|it| &it.drops[0].impacts);
+    assert_eq!(after.len(), before.len());
+    assert!((after[0].time_s - before[0].time_s).abs() > 1e-6);
     assert_ne!(judge(&whole, Some(&damaged)), Verdict::Wrong);
     let doubt = damaged
         .diagnostics

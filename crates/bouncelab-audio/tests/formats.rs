@@ -78,6 +78,12 @@ fn lossless_formats_return_every_sample() {
         ("rate4000.wav", "16-bit WAV", 4_000, 1.0 / 32_768.0),
         ("pcm16.aiff", "16-bit AIFF", 8_000, 1.0 / 32_768.0),
         ("pcm16.caf", "16-bit CAF", 8_000, 1.0 / 32_768.0),
+        ("pcm24.mov", "24-bit MOV", 8_000, 1.0 / 8_388_608.0),
+        ("float32.mov", "32-bit float MOV", 8_000, 0.0),
+        // Steps of the loudest of eight ranges, each half as wide as the one above.
+        ("alaw.wav", "A-law in WAV", 8_000, 1.0 / 32.0),
+        ("alaw.aiff", "A-law in AIFF", 8_000, 1.0 / 32.0),
+        ("mulaw.caf", "mu-law in CAF", 8_000, 1.0 / 32.0),
         ("lossless.flac", "FLAC", 8_000, 1.0 / 32_768.0),
         ("alac.m4a", "ALAC in M4A", 8_000, 1.0 / 32_768.0),
     ] {
@@ -86,7 +92,7 @@ fn lossless_formats_return_every_sample() {
         assert_eq!(source.sample_rate_hz(), rate, "{name}");
         assert_eq!(source.duration_s(), Some(0.6), "{name}");
         // AIFF and CAF state the rate only once, and this is no usual one.
-        let is_doubted = ["pcm16.aiff", "pcm16.caf"].contains(&name);
+        let is_doubted = [".aiff", ".caf"].iter().any(|it| name.ends_with(it));
         let doubt = is_doubted.then_some(Warning::RateInDoubt {
             stated_hz: rate,
             implied_hz: None,

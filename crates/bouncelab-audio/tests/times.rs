@@ -272,7 +272,7 @@ fn headings_of_four_languages_name_the_column_of_times() {
 }
 
 #[test]
-fn a_text_in_latin_1_or_utf_16_is_read() {
+fn a_text_in_latin_1_or_utf_16_or_with_old_ends_of_lines_is_read() {
     let text = "Aufschläge;t / µs\n1;100,5\n2;450000\n";
     let nearly = |list: times::TimeList| {
         assert!(
@@ -282,6 +282,8 @@ fn a_text_in_latin_1_or_utf_16_is_read() {
     };
     let latin: Vec<u8> = text.chars().map(|letter| letter as u8).collect();
     nearly(times::parse(&latin, "a.csv").unwrap());
+    let old_ends = text.replace('\n', "\r");
+    nearly(times::parse(old_ends.as_bytes(), "a.csv").unwrap());
     let wide: Vec<u8> = "\u{feff}"
         .encode_utf16()
         .chain(text.encode_utf16())

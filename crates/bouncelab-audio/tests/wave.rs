@@ -107,7 +107,8 @@ fn sound_behind_what_the_header_counts_is_mentioned() {
     stale[4..8].copy_from_slice(&(36 + 6_000_u32).to_le_bytes());
     stale[40..44].copy_from_slice(&6_000_u32.to_le_bytes());
     let joined = [wav(), whole[36..].to_vec()].concat();
-    for bytes in [stale, joined] {
+    let whole_joined = [wav(), whole].concat();
+    for bytes in [stale, joined, whole_joined] {
         let (samples, warnings) = read(bytes);
         assert_eq!(samples.len(), 3_000);
         let unfinished = Warning::Truncated {

@@ -42,7 +42,10 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
                 cookie_hz = alac_setup(&bytes).and_then(|it| it.last_chunk().copied());
             }
             b"SSND" | b"data" => {
-                let sound = len.saturating_sub(AIFF_SOUND);
+                // In AIFF the samples may begin later by a stated number of bytes.
+                let offset = chunks.read(&(content.start..content.start + 4))?;
+                let offset = offset.first_chunk().map_or(0, |&it| u32::from_be_bytes(it));
+                let sound = len.saturating_sub(AIFF_SOUND + u64::from(offset));
                 let stated = description.as_ref();
                 header.contradiction = stated.and_then(|it| it.contradiction(sound));
                 header.is_unfinished = chunks.has_rest()?;
@@ -78,15 +81,16 @@ struct Description {
 impl Description {
     /// Parses the chunk `COMM`: channels, frames, bits, rate, and in AIFF-C the compression.
     fn of_aiff(bytes: &[u8]) -> Option<Self> {
-        const COMPRESSED: [&[u8]; 4] = [b"alaw", b"ALAW", b"ulaw", b"ULAW"];
-        let samples = Samples {
-            channels: u16::from_be_bytes(*bytes.first_chunk()?).into(),
-            bits: u16::from_be_bytes(*bytes.get(6..)?.first_chunk()?).into(),
-        };
-        let is_compressed = bytes.get(18..22).is_some_and(|it| COMPRESSED.contains(&it));
+        const SHORT: [&[u8]; 4] = [b"alaw", b"ALAW", b"ulaw", b"ULAW"];
+        let stated_bits = u16::from_be_bytes(*bytes.get(6..)?.first_chunk()?);
+        // A-law and mu-law may state the bits of the decoded sample.
+        let is_short = bytes.get(18..22).is_some_and(|it| SHORT.contains(&it));
         Some(Self {
             rate_hz: extended(*bytes.get(8..)?.first_chunk()?),
-            samples: (!is_compressed).then_some(samples),
+            samples: Some(Samples {
+                channels: u16::from_be_bytes(*bytes.first_chunk()?).into(),
+                bits: if is_short { 8 } else { stated_bits.into() },
+            }),
             frames: u32::from_be_bytes(*bytes.get(2..)?.first_chunk()?).into(),
             bytes: None,
         })
@@ -94,6 +98,7 @@ impl Description {
 
     /// Parses the chunk `desc`: rate, format, flags, bytes and frames of a packet, channels, bits.
     fn of_caf(bytes: &[u8]) -> Option<Self> {
+        const PLAIN: [&[u8]; 3] = [b"lpcm", b"alaw", b"ulaw"];
         let number = |at: usize| {
             let bytes = *bytes.get(at..)?.first_chunk()?;
             Some(u64::from(u32::from_be_bytes(bytes)))
@@ -102,7 +107,7 @@ impl Description {
             channels: number(24)?,
             bits: number(28)?,
         };
-        let is_plain = bytes.get(8..12) == Some(b"lpcm");
+        let is_plain = bytes.get(8..12).is_some_and(|it| PLAIN.contains(&it));
         Some(Self {
             rate_hz: f64::from_be_bytes(*bytes.first_chunk()?),
             samples: is_plain.then_some(samples),

@@ -26,6 +26,8 @@ pub(super) struct Header {
     pub(super) rate_doubt: Option<RateDoubt>,
     /// Numbers of the header that contradict each other, for the refusal.
     pub(super) contradiction: Option<String>,
+    /// The codec, if the demuxer does not know it.
+    pub(super) foreign_codec: Option<String>,
 }
 
 /// Why a stated rate may be wrong.
@@ -146,13 +148,15 @@ impl<'a, S: Read + Seek> Chunks<'a, S> {
         self.at = position;
     }
 
-    /// Whether a chunk begins here. It may be cut off, but not behind the end that the file states for itself.
+    /// Whether a chunk begins here, and no second file. It may be cut off, but not behind the end that the file states for itself.
     pub(super) fn is_at_chunk(&mut self) -> io::Result<bool> {
+        const FILES: [&[u8]; 5] = [b"RIFF", b"RF64", b"BW64", b"riff", b"FORM"];
         let at = self.at;
         let name = self.read(&(at..at.saturating_add(4)))?;
         let end = self.next()?.map_or(at, |(_, content)| content.end);
         self.at = at;
-        let is_name = name.iter().all(|letter| (b' '..=b'~').contains(letter));
+        let is_name =
+            name.iter().all(|letter| (b' '..=b'~').contains(letter)) && !FILES.contains(&&name[..]);
         Ok(is_name && (end <= self.file_len || self.file_len <= self.stated_end))
     }
 

@@ -5,7 +5,8 @@ use symphonia::core::codecs::audio::well_known::{
     CODEC_ID_AAC, CODEC_ID_AC3, CODEC_ID_ADPCM_IMA_QT, CODEC_ID_ADPCM_IMA_WAV, CODEC_ID_ADPCM_MS,
     CODEC_ID_ALAC, CODEC_ID_EAC3, CODEC_ID_FLAC, CODEC_ID_MP3, CODEC_ID_OPUS, CODEC_ID_PCM_ALAW,
     CODEC_ID_PCM_F32BE, CODEC_ID_PCM_F32LE, CODEC_ID_PCM_F64BE, CODEC_ID_PCM_F64LE,
-    CODEC_ID_PCM_MULAW, CODEC_ID_PCM_S16LE, CODEC_ID_PCM_S32LE, CODEC_ID_VORBIS,
+    CODEC_ID_PCM_MULAW, CODEC_ID_PCM_S16LE, CODEC_ID_PCM_S24BE, CODEC_ID_PCM_S32BE,
+    CODEC_ID_PCM_S32LE, CODEC_ID_VORBIS,
 };
 use symphonia::core::codecs::audio::{
     AudioCodecId, AudioCodecParameters, AudioDecoder, AudioDecoderOptions, CODEC_ID_NULL_AUDIO,
@@ -56,6 +57,12 @@ impl Decoder {
             return Ok(Self::Opus(Box::new(decoder)));
         }
         check_sizes(params)?;
+        let mut params = params.clone();
+        if matches!(params.codec, CODEC_ID_PCM_ALAW | CODEC_ID_PCM_MULAW) {
+            // CAF states the bits of the coded sample, and the decoder expects those of the decoded one.
+            (params.bits_per_sample, params.bits_per_coded_sample) = (None, None);
+        }
+        let params = &params;
         let codecs = symphonia::default::get_codecs();
         if codecs.get_audio_decoder(params.codec).is_none() {
             return Err(Refusal::Codec(name(params.codec).to_owned()));
@@ -263,6 +270,9 @@ pub(super) fn name_of_four_letters(letters: [u8; 4]) -> String {
         b"sawb" => "AMR-WB".to_owned(),
         b"sevc" => "EVRC".to_owned(),
         b"sqcp" => "QCELP".to_owned(),
+        b"alaw" => name(CODEC_ID_PCM_ALAW).to_owned(),
+        b"ulaw" => name(CODEC_ID_PCM_MULAW).to_owned(),
+        b"ima4" => name(CODEC_ID_ADPCM_IMA_QT).to_owned(),
         b"ac-3" => name(CODEC_ID_AC3).to_owned(),
         b"ec-3" => name(CODEC_ID_EAC3).to_owned(),
         b"enca" => "encrypted sound".to_owned(),
@@ -270,22 +280,35 @@ pub(super) fn name_of_four_letters(letters: [u8; 4]) -> String {
     }
 }
 
+/// The codec of samples with the high byte first, by the four letters of `QuickTime` that do not state which is first.
+pub(super) fn high_byte_first(letters: [u8; 4]) -> Option<AudioCodecId> {
+    match &letters {
+        b"in24" => Some(CODEC_ID_PCM_S24BE),
+        b"in32" => Some(CODEC_ID_PCM_S32BE),
+        b"fl32" => Some(CODEC_ID_PCM_F32BE),
+        b"fl64" => Some(CODEC_ID_PCM_F64BE),
+        _ => None,
+    }
+}
+
 /// The name of a codec by its number in WAV and AVI (`WAVEFORMATEX`).
-pub(super) fn name_of_number(number: u16) -> &'static str {
-    match number {
+pub(super) fn name_of_number(number: u16) -> String {
+    let name = match number {
         1 => "PCM",
         2 | 0x11 => "ADPCM",
         3 => "floating point",
         6 => "A-law",
         7 => "mu-law",
+        0x31 => "GSM",
         0x50 => "MP2",
         0x55 => "MP3",
         0xff => "AAC",
         0x160 | 0x161 => "WMA",
         0x2000 => "AC-3",
         0x2001 => "DTS",
-        _ => "another codec",
-    }
+        _ => return format!("the codec {number:#06x}"),
+    };
+    name.to_owned()
 }
 
 #[cfg(test)]

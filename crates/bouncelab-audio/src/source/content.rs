@@ -9,8 +9,8 @@ use crate::problem::LooksLike;
 /// What a file is according to its first bytes.
 pub(super) enum Content {
     Sound(SoundFormat),
-    /// A video with sound in this codec, which is not read.
-    Avi(&'static str),
+    /// Sound in a container that is not read, and its codec.
+    Foreign(&'static str, String),
     Other(LooksLike),
     Nothing,
 }
@@ -31,6 +31,9 @@ pub(super) fn identify<S: Read + Seek + ?Sized>(source: &mut S) -> io::Result<Co
         }
         source.seek(SeekFrom::Start(start))?;
         return Ok(match SoundFormat::recognise(&head) {
+            Some(SoundFormat::Ogg) if head.get(28..36) == Some(b"Speex   ") => {
+                Content::Foreign(SoundFormat::Ogg.name(), "Speex".to_owned())
+            }
             Some(format) => Content::Sound(format),
             // Programs that write tags pad them: zeros follow a tag as often as the first frame does.
             None if start > 0 => Content::Sound(SoundFormat::Mp3),
@@ -38,7 +41,7 @@ pub(super) fn identify<S: Read + Seek + ?Sized>(source: &mut S) -> io::Result<Co
             None if head.starts_with(b"RIFF") && head.get(8..12) == Some(b"AVI ") => {
                 avi(&mut *source)?
             }
-            None => Content::Other(looks_like(&head)),
+            None => foreign(&head).unwrap_or_else(|| Content::Other(looks_like(&head))),
         });
     }
 }
@@ -56,7 +59,10 @@ fn avi<S: Read + ?Sized>(source: &mut S) -> io::Result<Content> {
     let description = after(&bytes, b"auds", 0).and_then(|stream| after(&stream, b"strf", 4));
     let number = description.and_then(|it| it.first_chunk().copied());
     Ok(match number {
-        Some(number) => Content::Avi(codec::name_of_number(u16::from_le_bytes(number))),
+        Some(number) => {
+            let number = u16::from_le_bytes(number);
+            Content::Foreign("AVI", codec::name_of_number(number))
+        }
         None => Content::Other(LooksLike::Riff),
     })
 }
@@ -77,6 +83,43 @@ fn id3_len(head: &[u8]) -> Option<u64> {
         .fold(0, |size, byte| size << 7 | u64::from(byte & 0x7f));
     let footer = if tag[5] & 0x10 == 0 { 0 } else { 10 };
     Some(10 + size + footer)
+}
+
+/// Sound in a container that is not read, by how it begins: container and codec.
+fn foreign(head: &[u8]) -> Option<Content> {
+    const ANY: &str = "this container is not read";
+    const KNOWN: [(&[u8], &str, &str); 19] = [
+        (b"\x30\x26\xb2\x75\x8e\x66\xcf\x11", "ASF", "WMA"),
+        (b"#!AMR-WB", "AMR", "AMR-WB"),
+        (b"#!AMR", "AMR", "AMR"),
+        (b".snd", "AU", "PCM"),
+        (b"wvpk", "WavPack", "WavPack"),
+        (b"MAC ", "APE", "Monkey's Audio"),
+        (b"TTA1", "TTA", "True Audio"),
+        (b"MPCK", "Musepack", "Musepack"),
+        (b"MP+", "Musepack", "Musepack"),
+        (b"DSD ", "DSF", "DSD"),
+        (b"FRM8", "DSDIFF", "DSD"),
+        (b"\x0b\x77", "AC-3", "AC-3"),
+        (b"\x7f\xfe\x80\x01", "DTS", "DTS"),
+        (b"\xff\xfc", "MP2", "MP2"),
+        (b"\xff\xfd", "MP2", "MP2"),
+        (b"Creative Voice File", "VOC", "PCM"),
+        (b"FLV\x01", "FLV", ANY),
+        (b".RMF", "RealMedia", ANY),
+        (b"\x00\x00\x01\xba", "MPEG", ANY),
+    ];
+    /// Length in bytes of the packets of a transport stream, each of which begins with the same byte.
+    const TRANSPORT: usize = 188;
+    if is_text(head) {
+        return None;
+    }
+    let known = KNOWN.iter().find(|(magic, ..)| head.starts_with(magic));
+    let is_transport =
+        head.len() > 2 * TRANSPORT && head.iter().step_by(TRANSPORT).all(|&it| it == b'G');
+    let found = known.map(|&(_, container, codec)| (container, codec));
+    let (container, codec) = found.or(is_transport.then_some(("MPEG transport stream", ANY)))?;
+    Some(Content::Foreign(container, codec.to_owned()))
 }
 
 /// A guess at what a file is that is not sound, for the message.

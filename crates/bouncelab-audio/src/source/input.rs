@@ -5,6 +5,21 @@ use std::ops::Range;
 
 use symphonia::core::io::MediaSource;
 
+/// The position in a source of `len` bytes after a seek from `position`.
+///
+/// # Errors
+///
+/// [`io::ErrorKind::InvalidInput`] before the start.
+pub fn position_after(to: SeekFrom, position: u64, len: u64) -> io::Result<u64> {
+    let (from, by) = match to {
+        SeekFrom::Start(start) => (start, 0),
+        SeekFrom::Current(by) => (position, by),
+        SeekFrom::End(by) => (len, by),
+    };
+    let before_start = || io::Error::from(io::ErrorKind::InvalidInput);
+    from.checked_add_signed(by).ok_or_else(before_start)
+}
+
 /// A file, or parts of it, as a source of the demuxers.
 pub(super) struct MediaInput<R> {
     reader: R,
@@ -91,13 +106,7 @@ impl<R: Seek> Seek for MediaInput<R> {
             self.position = self.reader.seek(to)?;
             return Ok(self.position);
         }
-        let (from, by) = match to {
-            SeekFrom::Start(position) => (position, 0),
-            SeekFrom::Current(by) => (self.position, by),
-            SeekFrom::End(by) => (self.len, by),
-        };
-        let before_start = || io::Error::from(io::ErrorKind::InvalidInput);
-        self.position = from.checked_add_signed(by).ok_or_else(before_start)?;
+        self.position = position_after(to, self.position, self.len)?;
         Ok(self.position)
     }
 }

@@ -32,6 +32,7 @@ use self::codec::{Layout, MAX_CHANNELS};
 use self::content::Content;
 use self::flips::Flips;
 use self::input::MediaInput;
+pub use self::input::position_after;
 use self::lost::Lost;
 use self::presentation::Presentation;
 use self::track::{Next, Step, Track};
@@ -208,16 +209,15 @@ impl SoundReader {
         R: Read + Seek + Send + Sync + 'static,
     {
         let fail = |reason| Error::io(name, reason);
+        let unsupported = |format, codec| Error::UnsupportedCodec {
+            name: name.to_owned(),
+            format,
+            codec,
+        };
         let mut reader = MediaInput::new(reader).map_err(fail)?;
         let container = match content::identify(&mut reader).map_err(fail)? {
             Content::Sound(container) => container,
-            Content::Avi(codec) => {
-                return Err(Error::UnsupportedCodec {
-                    name: name.to_owned(),
-                    format: "AVI",
-                    codec: codec.to_owned(),
-                });
-            }
+            Content::Foreign(format, codec) => return Err(unsupported(format, codec)),
             Content::Other(looks_like) => {
                 return Err(Error::NotSound {
                     name: name.to_owned(),
@@ -244,6 +244,9 @@ impl SoundReader {
             stage,
             detail,
         };
+        if let Some(codec) = header.foreign_codec.take() {
+            return Err(unsupported(container.name(), codec));
+        }
         if let Some(contradiction) = header.contradiction.take() {
             return Err(malformed(Stage::Header, contradiction));
         }

@@ -26,6 +26,9 @@ pub(super) struct SoundEntry {
     pub(super) codec: [u8; 4],
     /// The set-up of ALAC; `QuickTime` has it in a box within a box.
     pub(super) alac: Option<Vec<u8>>,
+    /// Whether samples have the high byte first, unless the name of the codec tells: so `QuickTime` writes them where no
+    /// box `enda` states the opposite.
+    pub(super) is_high_first: bool,
 }
 
 /// A part of the track that is presented.
@@ -46,6 +49,9 @@ const MAX_EDITS: usize = 1_000;
 
 /// Maximum length of a description in bytes, for the same reason.
 const MAX_ENTRY: u64 = 1 << 12;
+
+/// The box that states that samples have the low byte first.
+const LOW_FIRST: &[u8] = b"enda\0\x01";
 
 /// Reads all tracks. Damaged boxes give none: the demuxer, which reads the same boxes later, reports the damage.
 pub(super) fn read<S: Read + Seek + ?Sized>(source: &mut S) -> Vec<MovieTrack> {
@@ -114,6 +120,7 @@ fn sound_entry<S: Read + Seek + ?Sized>(
     Ok(bytes.first_chunk().map(|&codec| SoundEntry {
         codec,
         alac: alac_setup(&bytes).map(<[u8]>::to_vec),
+        is_high_first: !bytes.windows(LOW_FIRST.len()).any(|it| it == LOW_FIRST),
     }))
 }
 

@@ -453,6 +453,12 @@ fn open_reader(
         SymphoniaError::IoError(reason) if reason.raw_os_error().is_some() => {
             Error::io(name, reason)
         }
+        // Other demuxers say this of damage too.
+        SymphoniaError::Unsupported(what) if container.has_chunks() => Error::UnsupportedCodec {
+            name: name.to_owned(),
+            format: container.name(),
+            codec: what.to_owned(),
+        },
         fault => malformed(container, name, Stage::Header, fault.to_string()),
     })
 }
@@ -501,6 +507,12 @@ fn choose(
         {
             params.codec = CODEC_ID_ALAC;
             params.extra_data = Some(setup.clone().into());
+        }
+        if entry.is_some_and(|entry| entry.is_high_first)
+            && let Some(codec) = entry.and_then(|entry| codec::high_byte_first(entry.codec))
+        {
+            // The demuxer takes the low byte to be first.
+            params.codec = codec;
         }
         let made = contain_decoder(|| Ok(Decoder::new(&params)))
             .unwrap_or_else(|fault| Err(Refusal::Malformed(fault.to_string())));

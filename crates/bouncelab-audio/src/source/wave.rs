@@ -8,6 +8,7 @@ use std::io::{self, Read, Seek};
 use std::ops::Range;
 
 use super::chunks::{Chunks, Header, MAX_CHUNKS, Mended, RateDoubt, Samples, Variant};
+use super::codec;
 use crate::lost_chunk;
 
 /// Maximum length in bytes of the description of the sound (chunk `fmt `).
@@ -78,6 +79,7 @@ pub(super) fn header<S: Read + Seek>(source: &mut S) -> io::Result<Header> {
     }
     header.rate_doubt = format.other_rate_hz.map(RateDoubt::Contradicted);
     header.contradiction = format.contradiction;
+    header.foreign_codec = format.foreign_codec;
     Ok(header)
 }
 
@@ -118,27 +120,45 @@ struct Format {
     /// The rate in Hz that follows from the bytes a second, where it differs from the stated rate.
     other_rate_hz: Option<f64>,
     contradiction: Option<String>,
+    /// The codec, if the demuxer does not know it.
+    foreign_codec: Option<String>,
 }
 
 impl Format {
     /// Compares channels, bits, bytes of a frame and bytes a second. Only for codecs whose frames have equal lengths.
     /// Zeros were not known to the recorder.
     fn new(bytes: Vec<u8>) -> Self {
-        /// Their codes: PCM, floating point, and that of an extensible header.
-        const EQUAL_FRAMES: [u16; 3] = [1, 3, 0xfffe];
+        /// Their codes: PCM, floating point, A-law, mu-law, and that of an extensible header.
+        const EQUAL_FRAMES: [u16; 5] = [1, 3, A_LAW, MU_LAW, 0xfffe];
+        const A_LAW: u16 = 6;
+        const MU_LAW: u16 = 7;
+        /// The codes of the two kinds of ADPCM that the demuxer knows besides.
+        const ADPCM: [u16; 2] = [2, 0x11];
         /// Bits of samples that some recorders write in four bytes each (`S24_LE` of ALSA).
         const SHORT_BITS: u64 = 24;
         let word = |at: usize| Some(u16::from_le_bytes(*bytes.get(at..)?.first_chunk()?));
         let double = |at: usize| Some(u32::from_le_bytes(*bytes.get(at..)?.first_chunk()?));
         let fields = (word(0), word(2), double(4), double(8), word(12), word(14));
-        let mut format = Self::default();
+        let is_known = |code: &u16| EQUAL_FRAMES.contains(code) || ADPCM.contains(code);
+        let mut format = Self {
+            foreign_codec: fields
+                .0
+                .filter(|it| !is_known(it))
+                .map(codec::name_of_number),
+            ..Self::default()
+        };
         if let (Some(code), Some(channels), Some(rate), Some(per_s), Some(align), Some(bits)) =
             fields
             && EQUAL_FRAMES.contains(&code)
         {
             let samples = Samples {
                 channels: channels.into(),
-                bits: bits.into(),
+                // Those may state the bits of the decoded sample.
+                bits: if matches!(code, A_LAW | MU_LAW) {
+                    8
+                } else {
+                    bits.into()
+                },
             };
             let frame_bytes = samples.frame_bytes();
             let (rate, per_s, align) = (u64::from(rate), u64::from(per_s), u64::from(align));

@@ -137,6 +137,10 @@ impl Row {
 /// The texts in an archive, and the names of its other files.
 pub(super) fn of_zip(content: &[u8]) -> std::result::Result<Vec<NamedTable>, TimesProblem> {
     let mut archive = ZipArchive::new(Cursor::new(content)).map_err(damaged)?;
+    // The library has only the last of them.
+    if archive.has_duplicate_names() {
+        return Err(damaged("it holds two files of one name; unpack it"));
+    }
     let mut budget = Budget::new(MAX_LEN);
     let mut tables = Vec::new();
     for index in 0..archive.len().min(MAX_FILES) {

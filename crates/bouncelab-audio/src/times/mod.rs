@@ -266,14 +266,21 @@ fn decoded(content: &[u8]) -> Option<Cow<'_, str>> {
     // The characters of Latin-1 are the first of Unicode; control characters show that it is no text.
     let is_printed = |byte: &u8| !byte.is_ascii_control() || byte.is_ascii_whitespace();
     let latin = |bytes: &[u8]| bytes.iter().map(|&byte| char::from(byte)).collect();
-    match content {
+    let text = match content {
         [0xfe, 0xff, rest @ ..] => wide(rest, u16::from_be_bytes),
         [0xff, 0xfe, rest @ ..] => wide(rest, u16::from_le_bytes),
         [0xef, 0xbb, 0xbf, rest @ ..] | rest => match str::from_utf8(rest) {
             Ok(text) => Some(Cow::Borrowed(text)),
             Err(_) => rest.iter().all(is_printed).then(|| Cow::Owned(latin(rest))),
         },
-    }
+    }?;
+    // Excel ends lines so in its "CSV (Macintosh)".
+    let has_old_ends = text.contains('\r') && !text.contains('\n');
+    Some(if has_old_ends {
+        Cow::Owned(text.replace('\r', "\n"))
+    } else {
+        text
+    })
 }
 
 #[derive(Clone, Copy)]
