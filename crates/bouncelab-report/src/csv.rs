@@ -23,11 +23,15 @@ pub fn line<T: AsRef<str>>(cells: &[T]) -> String {
 /// use bouncelab_report::csv::guarded;
 ///
 /// assert_eq!(guarded("=HYPERLINK(A1)".to_owned()), "'=HYPERLINK(A1)");
+/// assert_eq!(guarded("\u{ff1d}1+1".to_owned()), "'\u{ff1d}1+1");
 /// assert_eq!(guarded("drop.wav".to_owned()), "drop.wav");
 /// ```
 pub fn guarded(text: String) -> String {
-    // The list of OWASP, "CSV Injection".
-    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
+    // The list of OWASP, "CSV Injection": some spreadsheets take the full width of a sign for the sign.
+    const SIGNS: [char; 11] = [
+        '=', '+', '-', '@', '\t', '\r', '\n', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}',
+    ];
+    if text.starts_with(SIGNS) {
         format!("'{text}")
     } else {
         text

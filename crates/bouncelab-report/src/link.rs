@@ -22,7 +22,7 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
-use bouncelab::settings::Settings;
+use bouncelab::settings::{AnalysisSettings, InferenceSettings, Settings};
 use crc::{CRC_32_ISO_HDLC, Crc};
 use serde::{Deserialize, Serialize, Serializer, ser};
 use serde_json::Value;
@@ -48,7 +48,7 @@ pub struct LinkedDrop {
     pub name: String,
     /// On what it was dropped; empty if that was not given.
     pub surface: String,
-    /// What was stated of ball, air, gravity and height.
+    /// What was stated of ball, air, gravity and drop, the laws, inferred inputs and flights: what the form of the page offers.
     #[serde(serialize_with = "as_stated")]
     pub settings: Settings,
     /// The impact times, increasing.
@@ -116,7 +116,7 @@ impl LinkedDrop {
         let steps = train(steps.collect())?;
         let shortened = |text: &str| text.chars().take(MAX_LETTERS).collect::<String>();
         let (name, surface) = (shortened(&self.name), shortened(&self.surface));
-        let settings = stated(&self.settings).expect("settings are plain data");
+        let settings = stated(&offered(&self.settings)).expect("settings are plain data");
         let settings = settings.to_string();
         let packed = Packed {
             version: VERSION,
@@ -147,15 +147,39 @@ impl LinkedDrop {
             return Err(OtherVersion);
         }
         let steps = train(sums(&sums(&packed.steps)?)?)?;
+        let settings: Settings = serde_json::from_str(packed.settings).map_err(|_| OtherVersion)?;
+        if settings != offered(&settings) {
+            return Err(OtherVersion);
+        }
         Ok(Self {
             name: packed.name.to_owned(),
             surface: packed.surface.to_owned(),
-            settings: serde_json::from_str(packed.settings).map_err(|_| OtherVersion)?,
+            settings,
             times_s: steps
                 .into_iter()
                 .map(|step| step as f64 / STEPS_PER_S)
                 .collect(),
         })
+    }
+}
+
+/// The settings of a link. Others, such as the number of draws, are the reader's: a link could make them wait for minutes.
+fn offered(settings: &Settings) -> Settings {
+    Settings {
+        ball: settings.ball.clone(),
+        air: settings.air.clone(),
+        gravity: settings.gravity.clone(),
+        drop: settings.drop.clone(),
+        analysis: AnalysisSettings {
+            flights: settings.analysis.flights,
+            ..AnalysisSettings::default()
+        },
+        inference: InferenceSettings {
+            restitution_laws: settings.inference.restitution_laws.clone(),
+            infer: settings.inference.infer.clone(),
+            ..InferenceSettings::default()
+        },
+        ..Settings::default()
     }
 }
 

@@ -292,7 +292,7 @@ impl Translator {
                     quantity(value, 3, Unit::Time)
                 }
                 "probability" | "pareto_shape" | "least" | "greatest" => Value::fixed(value, 2),
-                "slow" | "fast" => Value::fixed(value, 3),
+                "slow" | "fast" | "restitution" => Value::fixed(value, 3),
                 "factor" => Value::fixed(100.0 * (value - 1.0), 0),
                 "pressure_pa" => plain(value / 100.0),
                 "relative_humidity"

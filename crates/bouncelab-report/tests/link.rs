@@ -1,12 +1,14 @@
 //! A drop as the end of a link: it comes back, or what was changed is refused.
 
-use bouncelab::inference::ApexTarget;
+use base64::Engine;
+use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use bouncelab::restitution::LawKind;
 use bouncelab::settings::{
     AirSettings, AnalysisSettings, BallSettings, DetectionSettings, DropSettings, EditSettings,
     GravitySettings, InferenceSettings, Inferred, Settings,
 };
 use bouncelab_report::link::{LinkProblem, LinkedDrop};
+use crc::{CRC_32_ISO_HDLC, Crc};
 use proptest::prelude::*;
 
 /// Letters of a name that travel.
@@ -42,7 +44,7 @@ fn drops(impacts: impl Into<proptest::collection::SizeRange>) -> impl Strategy<V
     })
 }
 
-/// Every setting of a drop that goes with the others, in numbers as people state them: the longest drop that is sent.
+/// Every setting of a link that goes with the others, in numbers as people state them: the longest drop that is sent.
 /// Digits that nobody states make it longer.
 fn all_stated() -> Settings {
     Settings {
@@ -79,21 +81,12 @@ fn all_stated() -> Settings {
         edits: EditSettings::default(),
         analysis: AnalysisSettings {
             flights: Some((10, 59)),
-            compare_balls: Some(true),
+            ..AnalysisSettings::default()
         },
         inference: InferenceSettings {
-            enabled: Some(true),
             restitution_laws: Some(LawKind::ALL.map(|law| law.name().to_owned()).into()),
-            restitution_prior: None,
             infer: Some(Inferred::ALL.to_vec()),
-            known: None,
-            at_speed_m_s: Some(2.35),
-            reach: Some(vec![ApexTarget {
-                bounce: 10,
-                apex_m: 0.283,
-            }]),
-            draws: Some(100_000),
-            seed: Some(u64::MAX),
+            ..InferenceSettings::default()
         },
     }
 }
@@ -128,6 +121,54 @@ proptest! {
     fn no_text_is_a_panic(code in "[A-Za-z0-9_-]{0,80}") {
         prop_assert!(LinkedDrop::of_code(&code).is_err());
     }
+}
+
+/// What makes the reader wait, or changes results without being shown, is not sent; nor accepted, if another program sends it.
+#[test]
+fn a_link_states_only_what_the_form_offers() {
+    let stated = Settings {
+        inference: InferenceSettings {
+            draws: Some(100_000),
+            restitution_prior: Some("normal:1=0.5:0.001".to_owned()),
+            ..InferenceSettings::default()
+        },
+        ..all_stated()
+    };
+    let drop = LinkedDrop {
+        name: String::new(),
+        surface: String::new(),
+        settings: stated,
+        times_s: vec![0.0, 1.0],
+    };
+    let code = drop.code().unwrap();
+    let sent = LinkedDrop::of_code(&code).unwrap();
+    assert_eq!(sent.settings.inference.draws, None);
+    assert_eq!(sent.settings.inference.restitution_prior, None);
+    assert_eq!(sent.settings.ball, drop.settings.ball);
+    // A name with the text of settings in its place, of the same length.
+    let draws = r#"{"inference":{"draws":100000}}"#;
+    let named = LinkedDrop {
+        name: draws.to_owned(),
+        settings: Settings::of_ball("basketball1234"),
+        ..drop
+    };
+    let bytes = URL_SAFE_NO_PAD.decode(named.code().unwrap()).unwrap();
+    let (packed, _) = bytes.split_last_chunk::<4>().unwrap();
+    let ball = r#"{"ball":{"kind":"basketball1234"}}"#;
+    let place = packed
+        .windows(ball.len())
+        .position(|it| it == ball.as_bytes());
+    let forged = format!("{draws:34}");
+    let mut forged = [
+        &packed[..place.unwrap()],
+        forged.as_bytes(),
+        &packed[place.unwrap() + ball.len()..],
+    ]
+    .concat();
+    let check = Crc::<u32>::new(&CRC_32_ISO_HDLC).checksum(&forged);
+    forged.extend(check.to_be_bytes());
+    let forged = URL_SAFE_NO_PAD.encode(forged);
+    assert_eq!(LinkedDrop::of_code(&forged), Err(LinkProblem::OtherVersion));
 }
 
 #[test]

@@ -3,15 +3,17 @@
 //! An archive is read in memory, one recording at a time. Nothing in it is written to the disk, so that the names in it
 //! are never used as paths.
 
-use std::cell::RefCell;
+use std::collections::HashMap;
 use std::fmt;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, BufReader, Read};
 use std::path::{Component, Path, PathBuf};
-use std::time::SystemTime;
+use std::sync::Arc;
 
-use zip::ZipArchive;
+use zip::HasZipMetadata;
+use zip::read::{Config, OwnedZipFileEntry, ZipReadOptions};
 use zip::result::ZipError;
+use zip::unstable::read::ZipIterable;
 
 use crate::error::{Error, Result};
 use crate::hash::{Hash, hash_of_all};
@@ -25,13 +27,21 @@ const MAX_LEN: u64 = 256 << 20;
 const MAX_TOTAL_LEN: u64 = 16 << 30;
 
 /// A recording in an archive.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub struct ArchiveEntry {
-    /// Its index in the archive.
-    index: usize,
-    /// Its name in the archive.
+    /// Its line in the table of contents.
+    line: Arc<OwnedZipFileEntry>,
+    /// Its name in the archive; with a number if another recording has this name.
     pub(crate) name: PathBuf,
 }
+
+impl PartialEq for ArchiveEntry {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for ArchiveEntry {}
 
 pub(crate) fn is_archive(path: &Path) -> bool {
     path.extension()
@@ -43,37 +53,58 @@ pub(crate) fn is_archive(path: &Path) -> bool {
 /// # Errors
 /// If the file is not an archive, or holds more than can be read.
 pub(crate) fn entries(path: &Path, wanted: impl Fn(&Path) -> bool) -> Result<Vec<ArchiveEntry>> {
-    let archive = open(path)?;
+    let mut archive = ZipIterable::try_new(open(path)?, Config::default())
+        .map_err(|reason| unread(path, &reason))?;
     if archive.len() > MAX_FILES {
         return Err(refused(path, &TooMuch("more than 10,000 files")));
     }
     let mut entries = Vec::new();
+    let mut names = HashMap::new();
     let mut bytes = 0_u64;
-    for index in 0..archive.len() {
-        let file = archive
-            .by_index_data(index)
-            .map_err(|reason| unread(path, &reason))?;
-        let stored = file.name().map_err(|reason| unread(path, &reason))?;
+    let lines = archive.files().map_err(|reason| unread(path, &reason))?;
+    for line in lines {
+        let line = line.map_err(|reason| unread(path, &reason))?;
+        let stored = line.name().map_err(|reason| unread(path, &reason))?;
         let whole = Path::new(&*stored);
         // Some programs begin every name with "./". A ".." has no effect, since no name is used as a path.
         let name = whole.strip_prefix(".").unwrap_or(whole).to_owned();
         let is_hidden = name.components().any(|part| {
             matches!(part, Component::Normal(part) if part.as_encoded_bytes().starts_with(b"."))
         });
-        if !file.is_file() || is_hidden || !wanted(&name) {
+        if !line.is_file() || is_hidden || !wanted(&name) {
             continue;
         }
-        if file.size() > MAX_LEN {
+        let size = line.get_metadata().uncompressed_size;
+        if size > MAX_LEN {
             let problem = format!("\"{}\", which is larger than 256 MB", shown(&name));
             return Err(refused(path, &TooMuch(&problem)));
         }
-        bytes = bytes.saturating_add(file.size());
-        entries.push(ArchiveEntry { index, name });
+        bytes = bytes.saturating_add(size);
+        entries.push(ArchiveEntry {
+            name: unique(&name, &mut names),
+            line: Arc::new(line.into()),
+        });
     }
     if bytes > MAX_TOTAL_LEN {
         return Err(refused(path, &TooMuch("more than 16 GB of recordings")));
     }
     Ok(entries)
+}
+
+/// The name, with a number before its extension if it is taken: programs that add a file again leave both in the archive.
+/// `taken` has the last number that was tried for each name.
+fn unique(name: &Path, taken: &mut HashMap<PathBuf, usize>) -> PathBuf {
+    let stem = name.file_stem().unwrap_or_default().to_string_lossy();
+    let extension = name.extension().unwrap_or_default().to_string_lossy();
+    let mut last = taken.get(name).copied().unwrap_or(0);
+    let mut free = name.to_owned();
+    while taken.contains_key(&free) {
+        last += 1;
+        free = name.with_file_name(format!("{stem} ({last}).{extension}"));
+    }
+    taken.insert(name.to_owned(), last);
+    taken.insert(free.clone(), 1);
+    free
 }
 
 /// The content of a recording.
@@ -100,54 +131,12 @@ fn unpack<T>(
     entry: &ArchiveEntry,
     read: impl FnOnce(&mut dyn Read) -> io::Result<T>,
 ) -> Result<T> {
-    OPEN.with_borrow_mut(|last| {
-        let archive = reopened(last, path)?;
-        unpack_from(archive, path, entry, read)
-    })
-}
-
-thread_local! {
-    /// The archive that was read last: its recordings are read one after the other, and its table of contents, which may
-    /// have 10,000 lines, only once.
-    static OPEN: RefCell<Option<Opened>> = const { RefCell::new(None) };
-}
-
-/// An archive, and the state of its file when it was opened.
-struct Opened {
-    path: PathBuf,
-    state: State,
-    archive: Archive,
-}
-
-type Archive = ZipArchive<BufReader<File>>;
-
-/// Length and time of the last change of a file.
-type State = (u64, Option<SystemTime>);
-
-/// The archive at a path, opened only if it is another one than the last, or was changed.
-fn reopened<'a>(last: &'a mut Option<Opened>, path: &Path) -> Result<&'a mut Archive> {
-    let about = fs::metadata(path).map_err(Error::read(path))?;
-    let state = (about.len(), about.modified().ok());
-    let known = last.take_if(|last| last.path == path && last.state == state);
-    let opened = match known {
-        Some(opened) => opened,
-        None => Opened {
-            path: path.to_owned(),
-            state,
-            archive: open(path)?,
-        },
-    };
-    Ok(&mut last.insert(opened).archive)
-}
-
-fn unpack_from<T>(
-    archive: &mut Archive,
-    path: &Path,
-    entry: &ArchiveEntry,
-    read: impl FnOnce(&mut dyn Read) -> io::Result<T>,
-) -> Result<T> {
-    let file = archive
-        .by_index(entry.index)
+    let mut archive = open(path)?;
+    let file = entry
+        .line
+        .as_ref()
+        .as_ref()
+        .with_reader(&mut archive, ZipReadOptions::new())
         .map_err(|reason| unread(path, &reason))?;
     let size = file.size().min(MAX_LEN);
     // One byte more shows that the recording is larger than announced.
@@ -160,9 +149,9 @@ fn unpack_from<T>(
     Ok(content)
 }
 
-fn open(path: &Path) -> Result<Archive> {
+fn open(path: &Path) -> Result<BufReader<File>> {
     let file = crate::hash::open(path).map_err(Error::read(path))?;
-    ZipArchive::new(BufReader::new(file)).map_err(|reason| unread(path, &reason))
+    Ok(BufReader::new(file))
 }
 
 /// The error for an archive that other programs may be able to unpack.
@@ -251,14 +240,16 @@ mod tests {
         }
     }
 
+    /// The table of contents is that of the archive before.
     #[test]
-    fn an_archive_that_was_changed_is_opened_again() {
+    fn an_archive_that_was_changed_is_refused() {
         let one = |content: &str| archive(&[("a.csv".to_owned(), content.into())]);
         let (first, second) = (one("1"), one("2, and longer"));
         let entry = &entries(first.path(), |_| true).unwrap()[0];
         assert_eq!(read(first.path(), entry).unwrap(), b"1");
         std::fs::copy(second.path(), first.path()).unwrap();
-        assert_eq!(read(first.path(), entry).unwrap(), b"2, and longer");
+        let refused = read(first.path(), entry).unwrap_err().to_string();
+        assert!(refused.contains("it is damaged"), "{refused}");
     }
 
     #[test]
@@ -291,6 +282,54 @@ mod tests {
             refused.contains("more than 10,000 files; unpack it"),
             "{refused}"
         );
+    }
+
+    /// Archives to which a program adds a file again have it twice.
+    #[test]
+    fn two_files_of_one_name_are_both_read() {
+        // The content of each is its name before.
+        let packed = archive_with_a_name_twice(["a.wav", "b.wav"], ["a.wav", "b.wav"]);
+        let found = entries(packed.path(), |_| true).unwrap();
+        let read = |entry| String::from_utf8(read(packed.path(), entry).unwrap()).unwrap();
+        let read: Vec<_> = found.iter().map(|it| (&*it.name, read(it))).collect();
+        let expected = [("a.wav", "a.wav"), ("a (2).wav", "b.wav")];
+        assert_eq!(
+            read,
+            expected.map(|(name, content)| (Path::new(name), content.to_owned()))
+        );
+    }
+
+    /// An archive of lists can be one list, and these are two.
+    #[test]
+    fn two_lists_of_one_name_are_two_recordings() {
+        let lists = ["0\n0.46\n0.89\n", "0\n0.56\n0.99\n"];
+        let packed = archive_with_a_name_twice(["a.csv", "b.csv"], lists);
+        let sources = crate::Sources {
+            inputs: vec![packed.path().to_owned()],
+            ..crate::Sources::default()
+        };
+        assert_eq!(
+            crate::Session::gather(&sources).unwrap().recordings.len(),
+            2
+        );
+    }
+
+    /// An archive of two files, the second of which got the name of the first.
+    fn archive_with_a_name_twice(names: [&str; 2], contents: [&str; 2]) -> tempfile::NamedTempFile {
+        let files = [0, 1].map(|file| (names[file].to_owned(), contents[file].into()));
+        let packed = archive(&files);
+        let bytes = std::fs::read(packed.path()).unwrap();
+        let renamed: Vec<u8> = bytes
+            .utf8_chunks()
+            .flat_map(|it| {
+                let valid = it.valid().replace(names[1], names[0]);
+                [valid.into_bytes(), it.invalid().to_vec()]
+            })
+            .flatten()
+            .collect();
+        assert_eq!(renamed.len(), bytes.len());
+        std::fs::write(packed.path(), renamed).unwrap();
+        packed
     }
 
     /// The size that an archive announces is changed in its list of contents, as an archive that bursts does.

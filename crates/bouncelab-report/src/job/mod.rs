@@ -29,6 +29,8 @@ pub const SCHEMA: &str = "bouncelab.job/2";
 pub const NOTES: &str = "job.toml";
 /// The folder of the recordings.
 pub const SOUNDS: &str = "sounds";
+/// Maximum number of places of a new job, and of drops in each.
+pub const MAX_NUMBER: u16 = 1000;
 /// What a check of the method is called in the journal.
 const CHECK: &str = "check";
 

@@ -3,34 +3,40 @@
 //! They are read in the order of the files, a few at a time. Only the columns that identify a row, and the notes, are
 //! kept in memory.
 
+use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use bouncelab::Plain;
 
 use super::row::KnownMetadata;
-use super::texts::read;
+use super::texts::{Column, read};
 use crate::error::{Error, Result};
 use crate::hash::Hash;
 use crate::journal::Key;
-use crate::metadata::KnownRecording;
+use crate::metadata::{KnownRecording, Metadata};
 use crate::record::Record;
 use crate::recordings::RecordingFile;
 use crate::results::{Results, Store};
 use crate::work::Done;
 
 /// Columns of texts that identify the recording of a row.
-const WHICH: [&str; 6] = [
-    "recording",
-    "kernel_sha256",
-    "content_sha256",
-    "settings_sha256",
-    "failure.message",
-    "metadata",
+const WHICH: [Column; 6] = [
+    Column::short("recording"),
+    Column::short("kernel_sha256"),
+    Column::short("content_sha256"),
+    Column::short("settings_sha256"),
+    Column::short("failure.message"),
+    Column::short("metadata"),
 ];
 
 /// Columns of texts with its result.
-const RESULT: [&str; 3] = ["settings_sha256", "failure.message", "record"];
+const RESULT: [Column; 3] = [
+    Column::short("settings_sha256"),
+    Column::short("failure.message"),
+    Column::long("record"),
+];
 
 /// The rows of a folder of Parquet files.
 #[derive(Debug)]
@@ -42,13 +48,26 @@ pub struct Batch {
     done: Vec<Done>,
 }
 
-/// The recording of a row.
-struct Which {
-    recording: KnownRecording,
+/// What identifies the recordings of the rows that were read.
+#[derive(Default)]
+struct Rows {
+    /// The kernel of all of them.
     kernel: Option<String>,
-    settings: Option<String>,
+    notes: KnownMetadata,
+    /// The number of each recording in `found`, by its name.
+    known: HashMap<String, usize>,
+    found: Vec<Found>,
+    /// The number of the recording of each row; `None` if the row is a copy of an earlier one.
+    numbers: Vec<Option<usize>>,
+    /// Memory in bytes that all this takes, about.
+    memory: usize,
+}
+
+/// A recording, but for its name.
+struct Found {
+    metadata: Arc<Metadata>,
+    settings: Option<Hash>,
     content: std::result::Result<Hash, String>,
-    row: usize,
 }
 
 impl Batch {
@@ -69,55 +88,14 @@ impl Batch {
         if files.is_empty() {
             return Err(Error::rows(path, "there is no Parquet file in it"));
         }
-        let mut rows: Vec<Which> = Vec::new();
-        let mut metadata = KnownMetadata::default();
+        let mut rows = Rows::default();
         for file in &files {
-            let wrong = |problem: String| Error::rows(file, problem);
-            read(file, WHICH, |cells| {
-                let which = Which::of(cells, rows.len(), &mut metadata);
-                rows.push(which.map_err(wrong)?);
-                if rows.last().map(|it| &it.kernel) == rows.first().map(|it| &it.kernel) {
-                    return Ok(());
-                }
-                let problem = "has results of other settings, or of another version, than those before it; \
-                               every kernel needs an output of its own";
-                Err(wrong(problem.to_owned()))
+            read(file, &WHICH, |cells| {
+                let added = rows.add(cells);
+                added.map_err(|problem| Error::rows(file, problem))
             })?;
         }
-        let mut batch = Self {
-            files,
-            indices: vec![None; rows.len()],
-            recordings: Vec::new(),
-            done: Vec::new(),
-        };
-        rows.sort_by(|a, b| {
-            let name = a.recording.name().cmp(b.recording.name());
-            name.then(a.row.cmp(&b.row))
-        });
-        let mut last: Option<(Option<String>, std::result::Result<Hash, String>)> = None;
-        for row in rows {
-            let is_known =
-                batch.recordings.last().map(KnownRecording::name) == Some(row.recording.name());
-            let key = (row.settings, row.content);
-            if !is_known {
-                batch.indices[row.row] = Some(batch.recordings.len());
-                batch.recordings.push(row.recording);
-                batch.done.push(Done {
-                    content: key.1.clone(),
-                    kept: true,
-                    without_drop: false,
-                });
-                last = Some(key);
-            } else if last.as_ref() != Some(&key) {
-                let name = row.recording.name();
-                let problem = format!(
-                    "has two results of {name}, of different contents or notes; recordings must not change, \
-                     nor their notes"
-                );
-                return Err(Error::rows(path, problem));
-            }
-        }
-        Ok(batch)
+        Ok(rows.batch(files))
     }
 
     /// The rows as the results of a session.
@@ -137,23 +115,23 @@ impl Batch {
     ) -> Result<()> {
         let mut indices = self.indices.iter();
         for file in &self.files {
-            read(file, RESULT, |[settings, failure, record]| {
+            read(file, &RESULT, |[settings, failure, record]| {
                 let index = indices.next().copied().flatten();
                 let Some(index) = index.filter(|&index| is_wanted(index)) else {
                     return Ok(());
                 };
                 let wrong = |problem: String| Error::rows(file, problem);
                 let content = self.done[index].content.clone().map_err(wrong)?;
-                let digits = settings.as_deref().unwrap_or_default();
+                let digits = settings.unwrap_or_default();
                 let settings = digits
                     .parse()
                     .map_err(|problem: &str| wrong(problem.to_owned()))?;
                 let record = match (record, failure) {
-                    (Some(record), _) => serde_json::from_str(&record).map_err(|fault| {
+                    (Some(record), _) => serde_json::from_str(record).map_err(|fault| {
                         wrong(format!("the record is not one of this version: {fault}"))
                     })?,
                     (None, failure) => {
-                        Record::failed(Plain::of(&failure.unwrap_or_default()).into())
+                        Record::failed(Plain::of(failure.unwrap_or_default()).into())
                     }
                 };
                 take(index, &Key { content, settings }, record)
@@ -163,32 +141,100 @@ impl Batch {
     }
 }
 
-impl Which {
-    fn of(
-        [name, kernel, content, settings, failure, known]: [Option<String>; 6],
-        row: usize,
-        metadata: &mut KnownMetadata,
-    ) -> std::result::Result<Self, String> {
-        let name = name.ok_or("a row names no recording")?;
-        let name = String::from(Plain::of(&name));
+impl Rows {
+    /// Adds a row.
+    fn add(
+        &mut self,
+        [name, kernel, content, settings, failure, known]: [Option<&str>; 6],
+    ) -> std::result::Result<(), String> {
+        /// Maximum number of rows, and of bytes of memory: that of 250,000 recordings.
+        const MAX_ROWS: usize = 2_000_000;
+        const MAX_MEMORY: usize = 64 << 20;
+        /// Bytes for each recording besides its texts, and those for each byte of new notes.
+        const EACH: usize = 200;
+        const NOTES: usize = 8;
+        if self.numbers.is_empty() {
+            self.kernel = kernel.map(str::to_owned);
+        }
+        if self.kernel.as_deref() != kernel {
+            return Err(
+                "has results of other settings, or of another version, than those before it; every kernel needs an \
+                 output of its own"
+                    .to_owned(),
+            );
+        }
+        let name = String::from(Plain::of(name.ok_or("a row names no recording")?));
         let content = match content {
             Some(digits) => Ok(digits.parse()?),
-            None => Err(Plain::of(&failure.unwrap_or_default()).into()),
+            None => Err(String::from(Plain::of(failure.unwrap_or_default()))),
         };
-        Ok(Self {
-            recording: KnownRecording {
+        let settings = settings.map(str::parse).transpose()?;
+        let before = self.notes.len();
+        let known = known.unwrap_or_default();
+        let metadata = self.notes.of(known)?;
+        if let Some(found) = self.known.get(&name).map(|&number| &self.found[number]) {
+            let is_same = (&found.settings, &found.content) == (&settings, &content)
+                && Arc::ptr_eq(&found.metadata, &metadata);
+            if !is_same {
+                return Err(format!(
+                    "has two results of {name}, of different contents or notes; recordings must not change, nor their \
+                     notes"
+                ));
+            }
+            self.numbers.push(None);
+        } else {
+            let is_new = self.notes.len() > before;
+            self.memory += 2 * name.len() + content.as_ref().err().map_or(0, String::len) + EACH;
+            self.memory += if is_new { NOTES * known.len() } else { 0 };
+            self.numbers.push(Some(self.found.len()));
+            self.known.insert(name, self.found.len());
+            self.found.push(Found {
+                metadata,
+                settings,
+                content,
+            });
+        }
+        if self.memory > MAX_MEMORY || self.numbers.len() > MAX_ROWS {
+            return Err(format!(
+                "has more than {MAX_ROWS} rows, or names and notes of more than 250,000 recordings; study parts of them"
+            ));
+        }
+        Ok(())
+    }
+
+    /// The rows, with the recordings in the order of their names.
+    fn batch(self, files: Vec<PathBuf>) -> Batch {
+        let mut names: Vec<(String, usize)> = self.known.into_iter().collect();
+        names.sort_unstable();
+        let mut ranks = vec![0; names.len()];
+        let mut found: Vec<Option<Found>> = self.found.into_iter().map(Some).collect();
+        let (mut recordings, mut done) = (Vec::new(), Vec::new());
+        for (name, number) in names {
+            let Some(found) = found[number].take() else {
+                continue;
+            };
+            ranks[number] = recordings.len();
+            recordings.push(KnownRecording {
                 recording: RecordingFile {
                     entry: None,
                     path: PathBuf::from(&name),
                     name,
                 },
-                metadata: metadata.of(known.as_deref().unwrap_or_default())?,
-            },
-            kernel,
-            settings,
-            content,
-            row,
-        })
+                metadata: found.metadata,
+            });
+            done.push(Done {
+                content: found.content,
+                kept: true,
+                without_drop: false,
+            });
+        }
+        let rank = |number: Option<usize>| number.map(|number| ranks[number]);
+        Batch {
+            indices: self.numbers.into_iter().map(rank).collect(),
+            files,
+            recordings,
+            done,
+        }
     }
 }
 

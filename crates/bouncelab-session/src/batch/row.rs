@@ -117,6 +117,11 @@ impl Known {
 pub(super) struct KnownMetadata(HashMap<String, Arc<Metadata>>);
 
 impl KnownMetadata {
+    /// Number of those.
+    pub(super) fn len(&self) -> usize {
+        self.0.len()
+    }
+
     /// The metadata that follow from a [`Known`], given as JSON.
     pub(super) fn of(&mut self, known: &str) -> Result<Arc<Metadata>, String> {
         if let Some(made) = self.0.get(known) {
