@@ -73,6 +73,11 @@ fn standard_input_is_read_as_sound_or_as_a_list() {
     let of_list = json(analyze(Path::new("-")).write_stdin(list.join("\n")));
     assert_eq!(of_list["drops"][0]["impacts"].as_array().unwrap().len(), 9);
 
+    let wide: Vec<u8> = format!("\u{feff}{}", list.join("\n"))
+        .encode_utf16()
+        .flat_map(u16::to_le_bytes)
+        .collect();
+    json(analyze(Path::new("-")).write_stdin(wide));
     analyze(Path::new("-")).write_stdin("").assert().code(1);
     let cues = folder.path().join("cues.wav");
     let refused = analyze(Path::new("-"))
@@ -457,7 +462,10 @@ fn sounds_without_a_drop_say_why() {
         })
         .collect();
     let clock = synth::render(&clock, &Scene::default(), 5).unwrap();
-    no_drop(&quiet("clock.wav", &clock.samples), "are periodic");
+    no_drop(
+        &quiet("clock.wav", &clock.samples),
+        "are periodic, about every 500 ms, like",
+    );
 }
 
 /// A recording of which every sample is NaN, as no writer would make it.

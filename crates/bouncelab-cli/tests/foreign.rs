@@ -222,7 +222,7 @@ fn refusals_of_hostile_notes_and_rules_are_one_line() {
 fn a_spreadsheet_runs_nothing_unless_that_is_wanted() {
     let folder = TempDir::new().unwrap();
     fs::write(folder.path().join("=1+2.txt"), TIMES).unwrap();
-    let notes = "recording,ball,surface,@sum\n=1+2.txt,tennis,=HYPERLINK(\"\"x\"\"),+1\n";
+    let notes = "recording,ball,surface,@sum\n=1+2.txt,tennis,=HYPERLINK(\"\"x\"\"),\u{ff0b}1\n";
     fs::write(
         folder.path().join("notes.csv"),
         notes.replace("\"\"x\"\"", "x"),
@@ -234,7 +234,7 @@ fn a_spreadsheet_runs_nothing_unless_that_is_wanted() {
         let text = file.map_or(out, |file| fs::read_to_string(file).unwrap());
         let cells = text.split([',', '\n']).map(str::to_owned);
         cells
-            .filter(|cell| cell.starts_with(['=', '+', '@']))
+            .filter(|cell| cell.starts_with(['=', '\u{ff0b}', '@']))
             .collect::<Vec<_>>()
     };
     let session = [
@@ -251,7 +251,7 @@ fn a_spreadsheet_runs_nothing_unless_that_is_wanted() {
     let raw = [&session[..], &["--csv-raw"]].concat();
     assert_eq!(
         cells(&raw, drops()),
-        ["@sum", "=1+2.txt", "+1", "=HYPERLINK(x)"]
+        ["@sum", "=1+2.txt", "\u{ff0b}1", "=HYPERLINK(x)"]
     );
     let analyze = ["analyze", "=1+2.txt", "--no-inference", "--format", "csv"];
     assert_eq!(cells(&analyze, None), [""; 0]);

@@ -255,6 +255,20 @@ fn a_copy_has_markers_at_the_impacts() {
     assert_eq!(fs::read(inside("other.wav")).unwrap(), b"another sound");
 }
 
+/// One column of samples is sound at the rate that is stated.
+#[test]
+fn samples_without_times_are_marked() {
+    let folder = TempDir::new().unwrap();
+    let inside = |name: &str| folder.path().join(name);
+    let rendered = bouncelab_testkit::damage::drop(16_000);
+    let column: Vec<String> = rendered.samples.iter().map(f32::to_string).collect();
+    fs::write(inside("samples.txt"), column.join("\n")).unwrap();
+    let words = ["samples.txt", "--cues", "marked.wav", "--rate", "16000"];
+    analyze(&folder, &words).success();
+    let (rate_hz, markers) = markers(&fs::read(inside("marked.wav")).unwrap());
+    assert_eq!((rate_hz, markers.len()), (16_000, 16));
+}
+
 #[test]
 fn what_is_of_one_recording_is_refused_for_several_and_without_sound() {
     let folder = TempDir::new().unwrap();

@@ -42,6 +42,13 @@ def test_an_array_says_what_it_was_made_of(sound: bl.Sound) -> None:
     assert np.allclose(drop.impacts["time_s"], truth, atol=1e-3)
 
 
+@pytest.mark.parametrize("dtype", ["int64", "uint64"])
+def test_64_bit_integers_have_no_full_scale(dtype: str) -> None:
+    """NumPy makes them of lists of 16-bit samples."""
+    with pytest.raises(bl.InputError, match="samples / 32768"):
+        bl.analyze(np.arange(1000, dtype=dtype), 44_100)
+
+
 @pytest.mark.parametrize("dtype", ["float64", ">f4", "float16", "int16", "int32", "uint8"])
 def test_types_of_samples_make_no_difference(sound: bl.Sound, dtype: str) -> None:
     scale = {"int16": 2**15, "int32": 2**31, "uint8": 2**7}.get(dtype, 1)

@@ -112,7 +112,7 @@ TIMES_S = TIMES
 work = sys.argv[1]
 folder = tempfile.mkdtemp()
 bl.synthesize(bounces=30, restitution=0.9).save(folder + "/drop.wav")
-again = pickle.loads(pickle.dumps(bl.analyze_times(TIMES_S, draws=100_000))) if work == "again.report()" else None
+again = pickle.loads(pickle.dumps(bl.analyze_times(TIMES_S, draws=20_000))) if work == "again.report()" else None
 print("begun", flush=True)
 try:
     eval(work)

@@ -13,6 +13,7 @@ use bouncelab::diagnostic::Argument;
 use bouncelab_audio::{SoundFormat, times};
 use bouncelab_report::Chart;
 use bouncelab_report::document::simulation;
+use bouncelab_report::job::MAX_NUMBER;
 use bouncelab_report::link::{DropLink, LinkedDrop};
 use bouncelab_report::paper;
 use bouncelab_report::paper::lesson::{PuzzleAnswer, PuzzleChoice};
@@ -104,7 +105,10 @@ fn declarations() -> String {
          \n/** Endings of the names of recordings and of lists of times. */\nexport const ENDINGS = {endings:?};\n",
         SoundFormat::names()
     );
-    [HEAD, &declarations, &certain, &formats]
+    let job = format!(
+        "\n/** Maximum number of places of a test series, and of drops in each. */\nexport const MAX_NUMBER = {MAX_NUMBER};\n"
+    );
+    [HEAD, &declarations, &certain, &formats, &job]
         .concat()
         .replace("/**\n * ", "/** ")
         .replace("\n */\n", " */\n")

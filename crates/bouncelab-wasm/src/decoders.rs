@@ -50,11 +50,8 @@ impl Opened {
 
     /// The sound, if it is no list. The rate in Hz is that of samples whose file does not state it.
     pub fn decoder(self, rate_hz: Option<u32>) -> Result<Decoder> {
-        let source = match self.0 {
-            Input::Sound(source) => *source,
-            Input::Samples(samples) => samples.at(rate_hz)?,
-            Input::Times(_) => return Err(Refusal::fault("a list of times has no sound")),
-        };
+        let no_sound = |_| Refusal::fault("a list of times has no sound");
+        let source = self.0.sound(rate_hz)?.map_err(no_sound)?;
         Ok(Decoder {
             samples: vec![Vec::new(); source.channels()],
             source,

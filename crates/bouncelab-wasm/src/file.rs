@@ -2,6 +2,7 @@
 
 use std::io::{self, Read, Seek, SeekFrom};
 
+use bouncelab_audio::position_after;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -42,13 +43,7 @@ impl Read for FileOfWorker {
 
 impl Seek for FileOfWorker {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
-        let (from, by) = match to {
-            SeekFrom::Start(position) => (position, 0),
-            SeekFrom::Current(by) => (self.position, by),
-            SeekFrom::End(by) => (self.len, by),
-        };
-        let before_start = || io::Error::from(io::ErrorKind::InvalidInput);
-        self.position = from.checked_add_signed(by).ok_or_else(before_start)?;
+        self.position = position_after(to, self.position, self.len)?;
         Ok(self.position)
     }
 }

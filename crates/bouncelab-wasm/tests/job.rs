@@ -1,9 +1,9 @@
 //! A job as the page keeps it.
 
+mod drops;
+
 use std::collections::BTreeMap;
 
-use bouncelab::Impact;
-use bouncelab::analysis::{ListOrigin, Source};
 use bouncelab::settings::Settings;
 use bouncelab_report::hash::hash;
 use bouncelab_report::messages::Translator;
@@ -12,9 +12,8 @@ use bouncelab_wasm::analyst::Analyst;
 use bouncelab_wasm::job::{new, report, show};
 use bouncelab_wasm::refusal::Reason;
 use bouncelab_wasm::verdict::rebounds;
-use bouncelab_wasm::wire::{
-    DropMarks, JobChange, JobFiles, JobShown, JudgedPlace, NewJob, ReboundRequest,
-};
+use bouncelab_wasm::wire::{JobChange, JobFiles, JobShown, NewJob, ReboundRequest};
+use drops::place;
 
 fn shown(files: &JobFiles, change: Option<JobChange>) -> JobShown {
     show(files.clone(), change, &Translator::english()).unwrap()
@@ -35,25 +34,7 @@ fn job() -> JobShown {
 
 /// A drop from 2.54 m without air, as a recording of this name.
 fn added(job: &JobShown, name: &str, restitution: f64) -> JobChange {
-    let first_s = restitution * (8.0_f64 * 2.54 / 9.806_65).sqrt();
-    let times_s = (0..9).scan((0.5, first_s), |(time_s, flight_s), _| {
-        let now_s = *time_s;
-        *time_s += *flight_s;
-        *flight_s *= restitution;
-        Some(now_s)
-    });
-    let impacts = (1..)
-        .zip(times_s)
-        .map(|(number, time_s)| Impact::new(number, time_s).with_time_sd_s(2e-5));
-    let place = JudgedPlace {
-        name: name.to_owned(),
-        source: Source::Times(ListOrigin::default()),
-        drops: vec![DropMarks {
-            impacts: impacts.collect(),
-            probability: 1.0,
-            edited: false,
-        }],
-    };
+    let place = place(name, 2.54 * restitution * restitution, restitution);
     let request = ReboundRequest {
         rule: job.rule.clone(),
         settings: job.settings.clone(),

@@ -1,13 +1,14 @@
 //! Drops that the page judges by a rule.
 
-use bouncelab::Impact;
-use bouncelab::analysis::{ListOrigin, Source};
+mod drops;
+
 use bouncelab::settings::Settings;
 use bouncelab_report::messages::Translator;
 use bouncelab_report::report::Block;
 use bouncelab_wasm::analyst::Analyst;
 use bouncelab_wasm::verdict::{choices, judge, report};
-use bouncelab_wasm::wire::{DropMarks, Judged, JudgedPlace, RuleChoice, VerdictRequest};
+use bouncelab_wasm::wire::{Judged, RuleChoice, VerdictRequest};
+use drops::place;
 
 /// The height of release of the rule of table tennis.
 const FALL_M: f64 = 0.305;
@@ -15,30 +16,6 @@ const FALL_M: f64 = 0.305;
 fn rule(name: &str) -> RuleChoice {
     let mut choices = choices(&Translator::english()).unwrap().into_iter();
     choices.find(|choice| choice.name == name).unwrap()
-}
-
-/// A drop of nine impacts from [`FALL_M`], whose first rebound is this high without air, by g T²/8.
-fn place(rebound_m: f64) -> JudgedPlace {
-    let restitution = (rebound_m / FALL_M).sqrt();
-    let first_s = (8.0 * rebound_m / 9.806_65).sqrt();
-    let times_s = (0..9).scan((0.5, first_s), |(time_s, flight_s), _| {
-        let now_s = *time_s;
-        *time_s += *flight_s;
-        *flight_s *= restitution;
-        Some(now_s)
-    });
-    let impacts = (1..)
-        .zip(times_s)
-        .map(|(number, time_s)| Impact::new(number, time_s).with_time_sd_s(2e-5));
-    JudgedPlace {
-        name: "drop".to_owned(),
-        source: Source::Times(ListOrigin::default()),
-        drops: vec![DropMarks {
-            impacts: impacts.collect(),
-            probability: 1.0,
-            edited: false,
-        }],
-    }
 }
 
 fn request(rebound_m: f64, kept: &[&str]) -> VerdictRequest {
@@ -49,7 +26,9 @@ fn request(rebound_m: f64, kept: &[&str]) -> VerdictRequest {
         rule: rule("ittf-ball").rule,
         kept: kept.iter().map(|&part| part.to_owned()).collect(),
         settings,
-        surface: (0..4).map(|_| place(rebound_m)).collect(),
+        surface: (0..4)
+            .map(|_| place("drop", rebound_m, (rebound_m / FALL_M).sqrt()))
+            .collect(),
         reference: Vec::new(),
         made: None,
     }

@@ -14,14 +14,15 @@ use crate::language::text_with;
 use crate::report::wrote;
 
 /// Writes the sound of a recording as a WAV file of 32-bit floats, in which every sample is as it was, with a marker
-/// at each impact.
+/// at each impact. The rate is that of samples whose file does not state it.
 pub(super) fn write_cues(
     recording: &Path,
+    rate_hz: Option<u32>,
     analysed: &Analysed,
     target: &Path,
     outputs: &Outputs,
 ) -> Result<(), Failure> {
-    let Input::Sound(mut source) = Input::open(recording)? else {
+    let Ok(mut source) = Input::open(recording)?.sound(rate_hz)? else {
         let name = [("name", analysed.name.as_str().into())];
         return Err(Failure::Usage(text_with("analyze-cues-need-sound", &name)));
     };

@@ -159,7 +159,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Failure> {
                     report_file.write(&page)?;
                 }
                 if let Some(target) = &arguments.cues {
-                    write_cues(file, &analysed, target, &outputs)?;
+                    write_cues(
+                        file,
+                        setup.options.detection.rate_hz,
+                        &analysed,
+                        target,
+                        &outputs,
+                    )?;
                 }
                 printer.print(&analysed, &setup)?;
             }

@@ -53,7 +53,7 @@ pub(crate) fn is_standard_input(file: &Path) -> bool {
 fn standard_input() -> Result<Input, Failure> {
     /// Maximum length, which is held in memory: an hour and a half of stereo at 48 kHz and 16 bits.
     const MAX_BYTES: u64 = 1 << 30;
-    /// How much of it shows whether it is text.
+    /// How much of it shows whether it is text, unless it begins as UTF-16 does.
     const BEGINNING: usize = 1024;
     let mut bytes = Vec::new();
     io::stdin()
@@ -65,7 +65,8 @@ fn standard_input() -> Result<Input, Failure> {
         return Err(Failure::Input(text("analyze-input-too-long")));
     }
     let is_control = |byte: &u8| byte.is_ascii_control() && !byte.is_ascii_whitespace();
-    let is_text = !bytes.iter().take(BEGINNING).any(is_control);
+    let is_wide = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
+    let is_text = is_wide || !bytes.iter().take(BEGINNING).any(is_control);
     let name = if is_text { "stdin.txt" } else { "stdin" };
     Ok(Input::from_bytes(bytes, name)?)
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use bouncelab::Plain;
 use bouncelab::rulebook::{self, Rebound, Rule};
 use bouncelab_report::document::verdict::{Evaluation, VerdictDocument};
-use bouncelab_report::job::{Event, Rebounds, Recorded};
+use bouncelab_report::job::{Event, MAX_NUMBER, Rebounds, Recorded};
 use bouncelab_report::report::Provenance;
 use bouncelab_report::report::verdict::{MethodCheck, TestNotes, of_verdict, so_far};
 use bouncelab_session::hash::{Hash, hash_of_file};
@@ -57,10 +57,10 @@ enum What {
         #[arg(long, value_name = "NAME")]
         rule: String,
         /// How many places are tested [default: as many as the rule asks for]
-        #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..=1000))]
+        #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..=i64::from(MAX_NUMBER)))]
         places: Option<u16>,
         /// How many drops in each place [default: as many as the rule asks for]
-        #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..=1000))]
+        #[arg(long, value_name = "NUMBER", value_parser = clap::value_parser!(u16).range(1..=i64::from(MAX_NUMBER)))]
         drops: Option<u16>,
         #[command(flatten)]
         rules: Files,

@@ -116,8 +116,8 @@ def analyze(
     source : path, bytes, binary file or numpy.ndarray, or a list of them
         A recording, such as WAV, MP3 or M4A, or a list of impact times, such as ``.txt`` or ``.csv`` (the page
         Formats of the documents lists all); or samples of shape ``(frames,)`` or ``(frames, channels)``, full
-        scale being 1 for floating point and the whole range for integers. Contiguous ``float32`` is read
-        in place. A path may be a URL that fsspec opens, such as ``s3://bucket/drop.wav``, or a pattern such as
+        scale being 1 for floating point and the whole range for integers of up to 32 bits. Contiguous ``float32``
+        is read in place. A path may be a URL that fsspec opens, such as ``s3://bucket/drop.wav``, or a pattern such as
         ``"class/*.wav"`` that one file matches.
     sample_rate_hz : float, optional
         Samples a second: for arrays only, and necessary there.
@@ -319,7 +319,12 @@ def as_samples(source: object) -> NDArray[np.float32]:
     except (TypeError, ValueError) as reason:
         raise InputError(f"these are no samples: {reason}") from None
     if array.dtype.kind in "iu":
-        # In two steps at most: 64-bit integers lose nothing that a recording has.
+        # Those that NumPy makes of lists of numbers; taken for their whole range, 16-bit sound would be silence.
+        if array.dtype.itemsize > 4:
+            raise InputError(
+                f"samples of {array.dtype} do not state their full scale; divide by it, as in samples / 32768 for "
+                "16-bit sound, or convert them to int16 or int32"
+            )
         limits = np.iinfo(array.dtype)
         middle, half = (limits.max + limits.min + 1) // 2, (limits.max - limits.min + 1) / 2
         array = ((array - np.float32(middle)) / np.float32(half)).astype(np.float32, copy=False)
