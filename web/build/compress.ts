@@ -1,7 +1,10 @@
-import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { brotliCompressSync } from 'node:zlib';
+import { promisify } from 'node:util';
+import { brotliCompress } from 'node:zlib';
 import type { Plugin } from 'vite';
+
+const brotli = promisify(brotliCompress);
 
 /** Pictures are compressed already. */
 const COMPRESSIBLE = /\.(css|html|js|svg|wasm|webmanifest)$/;
@@ -19,13 +22,13 @@ export function compressed(): Plugin {
     configResolved({ root, build }) {
       folder = join(root, build.outDir);
     },
-    closeBundle() {
-      for (const name of readdirSync(folder, { recursive: true, encoding: 'utf8' })) {
-        if (COMPRESSIBLE.test(name)) {
-          const path = join(folder, name);
-          writeFileSync(`${path}.br`, brotliCompressSync(readFileSync(path)));
-        }
-      }
+    async closeBundle() {
+      const names = await readdir(folder, { recursive: true });
+      const compress = async (name: string): Promise<void> => {
+        const path = join(folder, name);
+        await writeFile(`${path}.br`, await brotli(await readFile(path)));
+      };
+      await Promise.all(names.filter((name) => COMPRESSIBLE.test(name)).map(compress));
     },
   };
 }

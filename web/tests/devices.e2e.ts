@@ -139,7 +139,9 @@ test('a newer page does not throw away what is open', async () => {
   await page.evaluate(async () => {
     await (await navigator.serviceWorker.ready).update();
   });
+  const loaded = page.waitForEvent('load');
   await page.getByRole('button', { name: 'Reload' }).click();
+  await loaded;
   await page.waitForFunction(() => location.hash.includes('drop=') === false);
   await page.locator('#drop-name[value="own.txt"]').waitFor();
   expect(await answers(page)).toEqual(listed);

@@ -113,7 +113,7 @@ test('an impact can be removed from the list, and a double click adds one', asyn
   await counts(all - 1);
   // What was impact 6 is number 5 now, and the keyboard stands on it.
   const focus = page.locator(':focus');
-  expect(await focus.getAttribute('aria-label')).toBe('Remove impact 5');
+  await expect.poll(() => focus.getAttribute('aria-label')).toBe('Remove impact 5');
   await settled(page);
   await waveform().scrollIntoViewIfNeeded();
   const box = await waveform().boundingBox();

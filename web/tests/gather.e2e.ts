@@ -99,6 +99,51 @@ test('files, a ZIP with damaged ones, and links: each drop once, with its studen
   await teacher.context().close();
 });
 
+test('a bad drop is refused by its name, and what others state is shown', async () => {
+  const { page } = await open(here.browser, here.url, {}, remembering('ball=golf'));
+  await page.goto(`${here.url}#drops`);
+  await add(page, golf('1', 0.8));
+  await page.getByText('1 drop was added.').waitFor();
+  const list = JSON.parse(readFileSync(await saved(page, 'Save all (JSON)'), 'utf8'));
+  await page.context().close();
+
+  const [drop] = list.drops;
+  const times = (s: number) =>
+    drop.marks.impacts.map((it: { time_s: number }) => ({ ...it, time_s: it.time_s * s }));
+  const marked = (s: number) => ({ ...drop.marks, impacts: times(s) });
+  list.drops = [
+    { ...drop, id: 'a', name: 'bad', restitution: { value: 0.8, sd: 'x' } },
+    {
+      ...drop,
+      id: 'b',
+      name: 'moon',
+      settings: { gravity: { gravity_m_s2: 9 } },
+      marks: marked(2),
+    },
+  ];
+  const { page: teacher, troubles } = await open(here.browser, `${here.url}#drops`);
+  const file = { name: 'class.json', mimeType: 'application/json' };
+  const buffer = Buffer.from(JSON.stringify(list));
+  await teacher.getByLabel('Files with drops').setInputFiles({ ...file, buffer });
+  await teacher.getByText('1 drop was added.').waitFor();
+  const refused = await teacher.getByRole('alert').innerText();
+  expect(refused).toMatch(/^class\.json: bad: /);
+  const row = teacher.locator('table.wide tbody tr');
+  expect(await row.count()).toBe(1);
+  await row.getByText(/9\sm\/s²/).waitFor();
+  await teacher.locator('.groups[aria-busy=false]').waitFor();
+
+  const many = await zipOf(
+    Array.from({ length: 500 }, (_, place) => [`${place}.wav`, new Blob(['RIFF'])] as const),
+  );
+  await add(teacher, many);
+  await teacher.getByRole('button', { name: 'Cancel' }).click();
+  await teacher.getByText('Nothing in it is new.').waitFor();
+  expect(await teacher.getByRole('alert').count()).toBeLessThan(500);
+  expect(troubles).toEqual([]);
+  await teacher.context().close();
+});
+
 test.each([
   ['light', 'en-GB'],
   ['dark', 'de-DE'],

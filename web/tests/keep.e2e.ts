@@ -52,6 +52,40 @@ test('all drops are saved with their sounds as one file, and added in another br
   expect(troubles).toEqual([]);
 });
 
+test('the opening of a kept sound can be cancelled: what was open stays as it was', async () => {
+  const { page, troubles } = await open(here.browser, here.url);
+  await tryDemo(page);
+  const demo = await answers(page);
+  await keepAs(page, 'Anna');
+  await page.locator('input[type=file]').setInputFiles(drop('other'));
+  await page.locator('#drop-name[value="other.wav"]').waitFor();
+  const other = await answers(page);
+  // The next worker never answers.
+  await page.evaluate(() => {
+    const usual = globalThis.Worker;
+    class Silent extends EventTarget {
+      postMessage() {}
+      terminate() {
+        globalThis.Worker = usual;
+      }
+    }
+    globalThis.Worker = Silent as unknown as typeof Worker;
+  });
+  await page.locator('nav a[href="#drops"]').click();
+  await page.getByRole('button', { name: 'Open Anna' }).click();
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await page.locator('#drop-name[value="other.wav"]').waitFor();
+  expect(await answers(page)).toEqual(other);
+  expect(await page.getByRole('alert').count()).toBe(0);
+
+  await page.locator('nav a[href="#drops"]').click();
+  await page.getByRole('button', { name: 'Open Anna' }).click();
+  await page.locator('#drop-name[value="other.wav"]').waitFor({ state: 'detached' });
+  expect(await answers(page)).toEqual(demo);
+  expect(troubles).toEqual([]);
+  await page.context().close();
+});
+
 test('a damaged file is refused, and what is kept stays', async () => {
   const { page } = await open(here.browser, here.url);
   await tryDemo(page);
@@ -160,21 +194,32 @@ test('sound that the browser does not deliver is a gap, and later times hold', a
   await settled(page);
   await page.getByText(/Sound was lost at/).waitFor();
   const [{ rateHz, samples }, played] = [await savedWav(page), samplesOf(long)];
-  // A busy machine may lose sound of its own, before or afterwards.
   const gaps = (await gapsOf(page)).map(
     (gap) => [gap.start_s, gap.start_s + gap.duration_s] as const,
   );
-  const [from, to] = gaps.find(([start, end]) => end - start > 0.25) ?? [0, 0];
-  const since = Math.max(0, ...gaps.map(([, end]) => end).filter((end) => end < from));
-  const until = Math.min(...gaps.map(([start]) => start).filter((start) => start > to));
+  const [from, to] = gaps.toSorted((a, b) => b[1] - b[0] - (a[1] - a[0]))[0] ?? [0, 0];
   const part = (fromS: number, toS: number) => ({
     rateHz,
     samples: samples.subarray(Math.round(fromS * rateHz), Math.round(toS * rateHz)),
   });
-  const lag = (fromS: number, toS: number) => lagOf(part(fromS, toS), played) - fromS;
   expect(to - from).toBeGreaterThan(0.25);
   expect(part(from, to).samples.every((sample) => sample === 0)).toBe(true);
-  expect(Math.abs(lag(to, until) - lag(since, from))).toBeLessThan(0.003);
+
+  // A busy machine loses sound of its own: what lies between two gaps, and has most of the ball in it, tells the time.
+  const edges = [0, ...gaps.flat(), samples.length / rateHz].toSorted((a, b) => a - b);
+  const whole = Array.from({ length: edges.length / 2 }, (_, n) => {
+    const [start = 0, end = 0] = edges.slice(2 * n, 2 * n + 2);
+    const sound = part(start, end);
+    return { start, end, sound, energy: sound.samples.reduce((sum, x) => sum + x * x, 0) };
+  });
+  const lag = (pieces: typeof whole): number => {
+    const loudest = pieces.toSorted((a, b) => b.energy - a.energy)[0];
+    if (!loudest) throw new Error('the gap has no sound on both sides of it');
+    return lagOf(loudest.sound, played) - loudest.start;
+  };
+  const before = lag(whole.filter(({ end }) => end <= from));
+  const after = lag(whole.filter(({ start }) => start >= to));
+  expect(Math.abs(after - before)).toBeLessThan(0.003);
 
   // A kept recording knows its gaps.
   const then = await answers(page);

@@ -132,8 +132,7 @@ const database = (page: Page): Promise<Stored> =>
   );
 
 /** Opens the page again: everything that was said to be kept must be there, whole. */
-async function check(context: BrowserContext, lives: readonly Life[]): Promise<void> {
-  const page = await context.newPage();
+async function check(page: Page, lives: readonly Life[]): Promise<void> {
   await page.goto(`${site.url}#drops`);
   await page.getByRole('heading', { name: 'Table of drops' }).waitFor();
   for (const { kept } of lives) {
@@ -157,7 +156,7 @@ async function check(context: BrowserContext, lives: readonly Life[]): Promise<v
     const seconds = listened.map(({ id, rateHz }) => samples(id) / rateHz);
     expect(Math.max(0, ...seconds), `life ${index}`).toBeGreaterThanOrEqual(savedS);
   });
-  await page.close();
+  await page.goto('about:blank');
 }
 
 /** One life more in a profile, which begins with a look at what the earlier ones left. */
@@ -168,12 +167,13 @@ async function live(profile: string, moment: Moment, lives: Life[]): Promise<voi
     isKilled = true;
     browser.kill();
   };
-  await hearing(played)(browser.context);
-  await check(browser.context, lives);
+  const context = browser.page.context();
+  await hearing(played)(context);
+  await check(browser.page, lives);
   const life: Life = { beganAt: Date.now(), savedS: 0 };
   lives.push(life);
-  await watch(browser.context, moment, life, die);
-  await use(await browser.context.newPage(), `drop ${lives.length}`).catch((error: unknown) => {
+  await watch(context, moment, life, die);
+  await use(browser.page, `drop ${lives.length}`).catch((error: unknown) => {
     if (!isKilled) throw error;
   });
   await browser.death;
@@ -196,7 +196,7 @@ test.concurrent.each(histories.map((lives, number) => ({ lives, number })))(
       });
     }
     const browser = await launchMortal(profile);
-    await check(browser.context, lives);
+    await check(browser.page, lives);
     browser.kill();
     await browser.death;
   },

@@ -203,13 +203,19 @@ test('a browser whose sound never starts is not waited for', async () => {
 });
 
 test('a call ends the listening with what was heard; until then nothing comes between', async () => {
-  browser = await launch({ microphone: { file: long } });
+  browser = await launch();
   const context = await newContext(browser, { locale: 'en-GB' });
+  await hearing(long)(context);
   await context.addInitScript(() => {
     const begin = AudioContext.prototype.createMediaStreamSource;
     AudioContext.prototype.createMediaStreamSource = function (stream) {
       addEventListener('call', () => void this.suspend());
       return begin.call(this, stream);
+    };
+    // The ball is dropped when the test is ready for it: until then there is silence.
+    const start = AudioBufferSourceNode.prototype.start;
+    AudioBufferSourceNode.prototype.start = function (...words) {
+      addEventListener('dropped', () => start.apply(this, words), { once: true });
     };
   });
   const page = await context.newPage();
@@ -222,18 +228,20 @@ test('a call ends the listening with what was heard; until then nothing comes be
   await beside.getByRole('button', { name: 'Listen' }).waitFor();
   await page.bringToFront();
   await follow(page, 'Listen');
-  await page.getByText(/(\d\d) impacts so far/).waitFor();
   await page.getByRole('button', { name: 'Stop' }).focus();
+  await page.evaluate(() => dispatchEvent(new Event('dropped')));
+  await page.getByText(/(\d\d) impacts so far/).waitFor();
   await page.evaluate(() => dispatchEvent(new Event('call')));
   await page.getByText(/was disconnected/).waitFor();
   await settled(page);
   // The keyboard goes on where the next drop begins.
-  expect(await page.locator(':focus').innerText()).toBe('Listen again');
+  await expect.poll(() => page.locator(':focus').innerText()).toBe('Listen again');
   expect(await beside.getByText(/was interrupted|not in the table/).count()).toBe(0);
 });
 
 test('a page that is closed while it listens loses nothing', async () => {
-  const { page } = await opened({ file: long });
+  browser = await launch();
+  const { page } = await open(browser, site.url, {}, hearing(long));
   await listen(page);
   await page.getByText(/(\d\d) impacts so far/).waitFor();
   await page.reload();

@@ -2,8 +2,8 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import type { Page } from 'playwright-core';
-import { beforeAll, expect, test } from 'vitest';
-import { newContext } from './harness/browser.ts';
+import { afterEach, beforeAll, expect, test } from 'vitest';
+import { closeContexts, newContext } from './harness/browser.ts';
 import { fixture } from './harness/fixture.ts';
 import { bouncelab, folder as scratch, synth } from './harness/program.ts';
 import { violationsInBothThemes } from './support/layout.ts';
@@ -16,6 +16,7 @@ let recording: string;
 beforeAll(() => {
   recording = drop('file');
 });
+afterEach(() => closeContexts(here.browser));
 
 const page = async (): Promise<Page> => (await open(here.browser, here.url)).page;
 
@@ -93,7 +94,6 @@ test('a browser that may keep nothing opens the page too', async () => {
   const on = await context.newPage();
   await on.goto(`${here.url}#drops`);
   await on.getByText(/stores nothing|cannot keep/).waitFor();
-  await context.close();
 });
 
 test('the demo', async () => {

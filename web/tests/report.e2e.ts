@@ -4,8 +4,8 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { HtmlValidate } from 'html-validate';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, test } from 'vitest';
-import { launch, newContext } from './harness/browser.ts';
+import { afterAll, afterEach, beforeAll, describe, expect, test } from 'vitest';
+import { closeContexts, launch, newContext } from './harness/browser.ts';
 import { FONT_SETS, nameOf } from './harness/fonts.ts';
 import { bouncelab, folder, synth } from './harness/program.ts';
 import { overflow, printed, printedPages, unfold, violations } from './support/layout.ts';
@@ -90,6 +90,7 @@ describe.each(FONT_SETS.map((fonts) => [nameOf(fonts), fonts] as const))('with %
   beforeAll(async () => {
     browser = await launch({ microphone: 'missing', fonts });
   });
+  afterEach(() => closeContexts(browser));
   afterAll(() => browser.close());
 
   test.each(REPORTS)(
@@ -143,6 +144,7 @@ describe('the report of one drop', () => {
   beforeAll(async () => {
     browser = await launch({ microphone: 'missing' });
   });
+  afterEach(() => closeContexts(browser));
   afterAll(() => browser.close());
 
   /** How many pages it has on each paper, as written by the command with these options. */

@@ -87,7 +87,7 @@ test.for([
     await page.getByText('A flight is the time from one impact to the next.').waitFor();
     await page.keyboard.press('Escape');
     await page.getByText('A flight is the time from').waitFor({ state: 'hidden' });
-    expect(await focused(page)).toBe('button "With and without air"');
+    await expect.poll(() => focused(page)).toBe('button "With and without air"');
     await tabTo(page, 'button "SVG"');
 
     await tabTo(page, 'textbox "Name"');

@@ -17,6 +17,7 @@ export function later<P extends object>(load: () => Promise<ComponentType<P>>): 
         },
       );
     }, []);
-    return loaded.value && <loaded.value.View {...properties} />;
+    if (loaded.value) return <loaded.value.View {...properties} />;
+    return broken.value === null && <div aria-busy="true" />;
   };
 }

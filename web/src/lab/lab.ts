@@ -42,16 +42,28 @@ import {
 } from './protocol.ts';
 import { Recording, type Services } from './recording.ts';
 
-/** How a recording is opened. */
-export interface OpenOptions {
-  /** The only channel to listen to, the first being 1; the one with the most evidence if left out. */
-  channel?: number;
-  /** The rate in Hz of samples whose file does not state it. */
-  rateHz?: number | undefined;
+/** What long work tells, and what ends it. */
+export interface WorkOptions {
   /** Cancels it. */
   signal?: AbortSignal;
   /** Progress, 0 to 1. */
   onProgress?: (share: number) => void;
+}
+
+/** How a recording is opened. */
+export interface OpenOptions extends WorkOptions {
+  /** The only channel to listen to, the first being 1; the one with the most evidence if left out. */
+  channel?: number;
+  /** The rate in Hz of samples whose file does not state it. */
+  rateHz?: number | undefined;
+}
+
+/** How drops are detected in samples. */
+export interface DetectOptions extends WorkOptions {
+  /** Where the samples are from, as the source of the result says it; `samples` if left out. */
+  format?: string;
+  /** Where sound was lost, and silence stands in its place. */
+  gaps?: readonly Gap[];
 }
 
 /**
@@ -127,33 +139,35 @@ export class Lab {
   }
 
   /** Impact times as a person pastes them: one a line, or a table, or an array. */
-  async paste(text: string): Promise<Recording> {
-    return this.open({ name: 'times.txt', blob: new Blob([text]) });
+  async paste(text: string, options: WorkOptions = {}): Promise<Recording> {
+    return this.open({ name: 'times.txt', blob: new Blob([text]) }, options);
   }
 
-  /**
-   * Detects drops in samples that are in memory, as those of a simulation or of the database; in gaps
-   * sound was lost, and silence stands in its place.
-   */
+  /** Detects drops in samples that are in memory, as those of a simulation or of the database. They are taken away. */
   async detect(
     channels: Float32Array<ArrayBuffer>[],
     sampleRateHz: number,
     name: string,
-    format = 'samples',
-    gaps: readonly Gap[] = [],
+    { format = 'samples', gaps = [], signal, onProgress }: DetectOptions = {},
   ): Promise<Recording> {
     const transfer = channels.map((channel) => channel.buffer);
-    const found = await this.#alone(false, undefined, (connection) =>
-      connection.call('detect', { channels, sampleRateHz, format, gaps }, { transfer }),
+    const request = { channels, sampleRateHz, format, gaps };
+    const found = await this.#alone(false, signal, (connection) =>
+      connection.call('detect', request, { transfer, progress: onProgress }),
     );
     const sound = { ...found.sound, read: readerOf(found.channels) };
     return new Recording(name, found.result, sound, this.#services);
   }
 
   /** The paper's drop, simulated: its recording (by this name), its settings and the truth. */
-  async demo(name?: string, seed = 1): Promise<{ recording: Recording; demo: Demo }> {
+  async demo(
+    name?: string,
+    options: WorkOptions = {},
+    seed = 1,
+  ): Promise<{ recording: Recording; demo: Demo }> {
     const { demo, samples, sampleRateHz } = await this.#front.call('demo', { seed });
-    const recording = await this.detect([samples], sampleRateHz, name ?? demo.name, 'WAV');
+    const of = { format: 'WAV', ...options };
+    const recording = await this.detect([samples], sampleRateHz, name ?? demo.name, of);
     return { recording, demo };
   }
 

@@ -24,7 +24,7 @@ import type {
 
 /** Maximum number of samples of all channels: two hours of two channels, whose picture takes 115 MB. */
 const MAX_SAMPLES = 2 * 2 * 3600 * 48_000;
-/** The least number of bytes that a sample takes, in Opus for speech: a length that would need less is none. */
+/** The least number of bytes that a sample takes, in Opus for speech: a header that states more samples than fit is wrong. */
 const MIN_SAMPLE_BYTES = 0.005;
 
 /** What a call may use besides its request. */

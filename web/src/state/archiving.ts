@@ -36,8 +36,10 @@ export async function keepArchived(
   return addDrops(drops);
 }
 
+const FAULTS = { newer: 'archive-newer', damaged: 'archive', huge: 'huge' } as const;
+
 /** What the page says of a file that could not be added. */
 export function archiveFaultOf(error: unknown): Fault {
   if (!(error instanceof ArchiveError)) return { key: 'archive-storage' };
-  return { key: error.kind === 'newer' ? 'archive-newer' : 'archive' };
+  return { key: FAULTS[error.kind] };
 }

@@ -27,6 +27,7 @@ export type FaultKey =
   | 'series-known'
   | 'series-storage'
   | 'archive'
+  | 'bad-drop'
   | 'archive-newer'
   | 'archive-storage';
 

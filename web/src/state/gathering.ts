@@ -42,29 +42,37 @@ interface Named {
 /** Something with drops in it, which is read when it is its turn. */
 interface Source {
   readonly name: string;
-  /** Adds those that are new; says how many, and of how many. */
-  add(isNew: (drop: KeptDrop) => boolean): Promise<{ added: number; all: readonly KeptDrop[] }>;
+  /** Adds those that are new; says how many, of how many, and the names of those that are no drops. */
+  add(
+    isNew: (drop: KeptDrop) => boolean,
+    signal: AbortSignal,
+  ): Promise<{ added: number; all: readonly KeptDrop[]; refused: readonly string[] }>;
 }
 
-/** Adds the drops of files and of the links in a text; `onSource` gets the name of what is read. */
+/** Adds the drops of files and of the links in a text, until `signal`; `onSource` gets the name of what is read. */
 export async function gather(
   files: readonly File[],
   pasted: string,
   onSource: (name: string) => void,
+  signal: AbortSignal,
 ): Promise<Gathered> {
   const sounds = new Set((await allDrops()).map(({ marks }) => soundOf(marks)));
   const isNew = ({ marks }: KeptDrop): boolean => !sounds.has(soundOf(marks));
   let [added, known] = [0, 0];
   const refused: Fault[] = [];
   for await (const source of sourcesOf(files, pasted, refused)) {
+    if (signal.aborted) break;
     onSource(source.name);
     try {
-      const found = await source.add(isNew);
+      const found = await source.add(isNew, signal);
+      for (const name of found.refused) {
+        refused.push({ key: 'bad-drop', about: `${source.name}: ${name}` });
+      }
       added += found.added;
       known += found.all.length - found.added;
       for (const { marks } of found.all) sounds.add(soundOf(marks));
     } catch (error) {
-      refused.push({ about: source.name, ...gatheringFaultOf(error) });
+      if (!signal.aborted) refused.push({ about: source.name, ...gatheringFaultOf(error) });
     }
   }
   void askToLast();
@@ -150,49 +158,59 @@ const MAY_HOLD_LINKS = new Set(['txt', 'csv', 'md', 'url', 'html', 'htm']);
 const archived = (name: string, blob: Blob, student: string): Source => ({
   name,
   add: async (isNew) => {
-    const { drops, sounds } = await unpack(blob);
+    const { drops, sounds, refused } = await unpack(blob);
     const theirs = drops.map((drop) => ({ ...drop, student: drop.student || student }));
-    return { added: await keepArchived(theirs.filter(isNew), sounds), all: drops };
+    return { added: await keepArchived(theirs.filter(isNew), sounds), all: drops, refused };
   },
 });
 
 /** What this page saved as JSON: the table of drops, or one analysis; or a list of times. */
 const listed = (file: Named, student: string): Source =>
-  drops(file.path, async () => {
+  drops(file.path, async (signal) => {
     const blob = await file.blob();
     const content: unknown = JSON.parse(await blob.text());
     const { schema } = (content ?? {}) as { schema?: unknown };
     if (String(schema).startsWith(`${LIST_FORMAT}/`)) {
-      const kept = dropsOfList(content as object);
-      return kept.map((drop) => ({ ...drop, student: drop.student || student || drop.name }));
+      const { drops, refused } = dropsOfList(content as object);
+      const whose = (drop: KeptDrop): string => drop.student || student || drop.name;
+      return { refused, all: drops.map((drop) => ({ ...drop, student: whose(drop) })) };
     }
     const measured = String(schema).startsWith(`${ANALYSIS}/`)
       ? await ofAnalysis(content as Analysis)
-      : await measure(await engine().open({ name: file.path, blob }), own.peek());
-    return named(measured, stemOf(file.path), student);
+      : await measure(await engine().open({ name: file.path, blob }, { signal }), own.peek());
+    return allOf(named(measured, stemOf(file.path), student));
   });
 
 /** A recording, or a list of times. */
 const recorded = (file: Named, student: string): Source =>
-  drops(file.path, async () => {
-    const recording = await engine().open({ name: file.path, blob: await file.blob() });
-    return named(await measure(recording, own.peek()), stemOf(file.path), student);
+  drops(file.path, async (signal) => {
+    const recording = await engine().open({ name: file.path, blob: await file.blob() }, { signal });
+    return allOf(named(await measure(recording, own.peek()), stemOf(file.path), student));
   });
 
 function link(code: string, student: string): Source {
   return drops(`…${code.slice(-8)}`, async () => {
     const { name, surface, settings, times_s } = await engine().linkedDrop(code);
     const measured = await measure(await engine().paste(times_s.join('\n')), settings);
-    return named(measured, name, student || name, surface);
+    return allOf(named(measured, name, student || name, surface));
   });
 }
 
-const drops = (name: string, read: () => Promise<readonly KeptDrop[]>): Source => ({
+/** What a source holds. */
+interface Found {
+  readonly all: readonly KeptDrop[];
+  /** Names of what is no drop. */
+  readonly refused: readonly string[];
+}
+
+const allOf = (all: readonly KeptDrop[]): Found => ({ all, refused: [] });
+
+const drops = (name: string, read: (signal: AbortSignal) => Promise<Found>): Source => ({
   name,
-  add: async (isNew) => {
-    const all = await read();
-    if (all.length === 0) throw new NoDrop(name);
-    return { added: await addDrops(all.filter(isNew)), all };
+  add: async (isNew, signal) => {
+    const { all, refused } = await read(signal);
+    if (all.length + refused.length === 0) throw new NoDrop(name);
+    return { added: await addDrops(all.filter(isNew)), all, refused };
   },
 });
 

@@ -178,7 +178,8 @@ export async function openKept(drop: KeptDrop): Promise<void> {
     await openLinked({ name, settings, times_s: marks.impacts.map(({ time_s }) => time_s) });
     return;
   }
-  await openStored(recording, settings);
+  // What lies in the workspace instead has other marks.
+  if (!(await openStored(recording, settings))) return;
   lookAt(dropNear(edits.peek(), marks));
   if (marks.edited) setMarks(marks);
 }

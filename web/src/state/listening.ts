@@ -244,6 +244,7 @@ async function finished(listening: Listening, name: string) {
     return await listening.finish(name);
   } catch {
     const { sampleRateHz, gaps } = listening;
-    return engine().detect([listening.samples()], sampleRateHz, name, 'microphone', gaps);
+    const known = { format: 'microphone', gaps };
+    return engine().detect([listening.samples()], sampleRateHz, name, known);
   }
 }

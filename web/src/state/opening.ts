@@ -6,21 +6,26 @@ import { lock } from '../store/locks.ts';
 import { getRecording, samplesOf } from '../store/recordings.ts';
 import { text } from '../text/language.ts';
 import { engine, faultOf } from './engine.ts';
-import { busy, fail, fault, type Origin, phase, put } from './workspace.ts';
+import { endInVain, type Reader, reading } from './reading.ts';
+import { busy, fail, fault, type Origin, put } from './workspace.ts';
 
-/** While something else is recorded or read, nothing is opened: the page offers it then nowhere. */
+/**
+ * Puts what is read in the workspace; false if that failed, or was cancelled. While something else is recorded or
+ * read, nothing is opened: the page offers it then nowhere.
+ */
 async function load(
   name: string,
-  open: () => Promise<Recording>,
+  open: (reader: Reader) => Promise<Recording>,
   origin: Origin = {},
-): Promise<void> {
-  if (busy.peek()) return;
+): Promise<boolean> {
+  if (busy.peek()) return false;
   fault.value = null;
-  phase.value = { kind: 'reading', name };
   try {
-    put(name, await open(), origin);
+    put(name, await reading(name, open), origin);
+    return true;
   } catch (error) {
-    fail({ ...faultOf(error), about: name });
+    endInVain(error, { ...faultOf(error), about: name });
+    return false;
   }
 }
 
@@ -31,20 +36,13 @@ export const withoutRate = signal<File | null>(null);
 export async function openFile(file: File, rateHz?: number): Promise<void> {
   if (busy.peek()) return;
   withoutRate.value = null;
-  await load(file.name, async () => {
+  await load(file.name, async (reader) => {
     if (file.size === 0) {
       throw new LabError('empty', `${file.name} has no content`, {
         reason: { code: 'empty', what: 'content' },
       });
     }
-    return engine().open(file, {
-      rateHz,
-      onProgress: (share) => {
-        if (phase.peek().kind === 'reading') {
-          phase.value = { kind: 'reading', name: file.name, share };
-        }
-      },
-    });
+    return engine().open(file, { rateHz, ...reader });
   });
   const reason = fault.peek()?.reason;
   if (reason?.code === 'times' && reason.problem.code === 'no-rate') {
@@ -53,23 +51,24 @@ export async function openFile(file: File, rateHz?: number): Promise<void> {
   }
 }
 
-export const openTimes = (times: string): Promise<void> =>
-  load(text('page-lab-pasted-name'), () => engine().paste(times));
+export const openTimes = (times: string): Promise<boolean> =>
+  load(text('page-lab-pasted-name'), (reader) => engine().paste(times, reader));
 
 /** A drop that has times and no sound, with the set-up that it was made with. */
 export const openLinked = ({
   name,
   times_s,
   settings,
-}: Omit<LinkedDrop, 'surface'>): Promise<void> =>
-  load(name, () => engine().paste(times_s.join('\n')), { setup: settings });
+}: Omit<LinkedDrop, 'surface'>): Promise<boolean> =>
+  load(name, (reader) => engine().paste(times_s.join('\n'), reader), { setup: settings });
 
 /** The ball that is heard in the demo. */
 const DEMO: Settings = { ball: { kind: 'table-tennis-40' } };
 
-export function openDemo(): Promise<void> {
+export function openDemo(): Promise<boolean> {
   const name = text('page-lab-demo-name');
-  return load(name, async () => (await engine().demo(name)).recording, { setup: DEMO });
+  const open = async (reader: Reader) => (await engine().demo(name, reader)).recording;
+  return load(name, open, { setup: DEMO });
 }
 
 /** Samples that were made, of what is known. */
@@ -78,17 +77,20 @@ export function openSamples(
   rateHz: number,
   name: string,
   setup: Settings,
-): Promise<void> {
-  return load(name, () => engine().detect([samples], rateHz, name), { setup });
+): Promise<boolean> {
+  return load(name, (reader) => engine().detect([samples], rateHz, name, reader), { setup });
 }
 
-/** A recording of the database, with the set-up of the drop that was kept of it, if one was. */
-export async function openStored(id: string, setup?: Settings): Promise<void> {
+/** A recording of the database, with the set-up of the drop that was kept of it, if one was; whether it is open. */
+export async function openStored(id: string, setup?: Settings): Promise<boolean> {
   lock(id);
   const stored = await getRecording(id);
-  if (!stored) return fail({ key: 'damaged' });
-  const { name, rateHz, gaps } = stored;
-  const samples = joined(await samplesOf(id));
-  const open = () => engine().detect([samples], rateHz, name, 'samples', gaps);
+  if (!stored) {
+    fail({ key: 'damaged' });
+    return false;
+  }
+  const { name, rateHz, gaps = [] } = stored;
+  const open = async (reader: Reader) =>
+    engine().detect([joined(await samplesOf(id))], rateHz, name, { gaps, ...reader });
   return load(name, open, { storedAs: id, ...(setup && { setup }) });
 }

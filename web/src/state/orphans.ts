@@ -34,9 +34,9 @@ export const forget = (id: string): void => {
 };
 
 export async function openOrphan(recording: StoredRecording): Promise<void> {
-  forget(recording.id);
+  if (!(await openStored(recording.id))) return;
   await putRecording({ ...recording, finished: true });
-  await openStored(recording.id);
+  forget(recording.id);
 }
 
 export async function throwAway({ id }: StoredRecording): Promise<void> {

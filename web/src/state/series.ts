@@ -20,7 +20,8 @@ import type { Fault } from './faults.ts';
 import { askToLast } from './lasting.ts';
 import { listen } from './listening.ts';
 import { forget } from './orphans.ts';
-import { busy, fail, fault, idle, type Origin, phase } from './workspace.ts';
+import { endInVain, reading } from './reading.ts';
+import { busy, fault, idle, type Origin, phase } from './workspace.ts';
 
 /** A job that is open: as it is kept, and as the engine shows it. */
 interface OpenJob {
@@ -166,7 +167,7 @@ async function count(file: File, givenAs: string): Promise<void> {
 }
 
 async function reboundsIn({ rule, settings }: JobShown, file: File): Promise<unknown[]> {
-  const { name, result } = await engine().open(file);
+  const { name, result } = await reading(file.name, (reader) => engine().open(file, reader));
   if (result.drops.length === 0) throw new NoDrop();
   const drops = result.drops.map(({ impacts, probability }) => ({
     impacts,
@@ -231,7 +232,7 @@ async function guarded(work: () => Promise<void>): Promise<boolean> {
     await work();
     return true;
   } catch (error) {
-    fail(seriesFault(error));
+    endInVain(error, seriesFault(error));
     return false;
   }
 }

@@ -19,7 +19,13 @@ export type Phase =
   | { readonly kind: 'starting' }
   | { readonly kind: 'listening' }
   /** `share` is how far it is, 0 to 1, where that is known. */
-  | { readonly kind: 'reading'; readonly name: string; readonly share?: number }
+  | {
+      readonly kind: 'reading';
+      readonly name: string;
+      readonly share?: number;
+      /** Ends it, where it takes long. */
+      readonly cancel?: () => void;
+    }
   | { readonly kind: 'ready' };
 
 /** The loaded recording or list of times. */

@@ -4,6 +4,7 @@
  */
 import { type KeptDrop, upToDate } from './drops.ts';
 import type { StoredRecording } from './recordings.ts';
+import { isDrop, isObject, isRecording, isText } from './schema.ts';
 import { floatsOf } from './wav.ts';
 
 export const FORMAT = 'bouncelab.archive';
@@ -30,8 +31,8 @@ export interface ArchivedSound {
 /** Why a file is not added. */
 export class ArchiveError extends Error {
   constructor(
-    /** `newer`: by a later version of the page. `damaged`: it is no archive, or not a whole one. */
-    readonly kind: 'newer' | 'damaged',
+    /** `newer`: by a later version of the page. `damaged`: it is no archive, or not a whole one. `huge`: too much. */
+    readonly kind: 'newer' | 'damaged' | 'huge',
     cause?: unknown,
   ) {
     super(kind, { cause });
@@ -72,23 +73,26 @@ export function pack(
 }
 
 /**
- * Reads an archive, all of it, so that what is damaged is not added in part.
+ * Reads an archive, all of it, so that what is damaged is not added in part. `refused` are the names of drops that the
+ * page could not show.
  *
  * @throws ArchiveError
  */
-export async function unpack(
-  file: Blob,
-): Promise<{ drops: readonly KeptDrop[]; sounds: readonly ArchivedSound[] }> {
+export async function unpack(file: Blob): Promise<{
+  drops: readonly KeptDrop[];
+  sounds: readonly ArchivedSound[];
+  refused: readonly string[];
+}> {
   try {
     const files = await checkedFiles(file);
     const list: unknown = JSON.parse((await files.get(LIST)?.text()) ?? '');
-    const { drops, recordings } = contentsOf(list);
+    const { drops, recordings, refused } = contentsOf(list);
     const sounds = recordings.map((recording) => {
       const wav = files.get(nameOf(recording));
       if (!wav) throw new ArchiveError('damaged');
       return { recording, samples: () => samplesOf(wav) };
     });
-    return { drops, sounds };
+    return { drops, sounds, refused };
   } catch (error) {
     throw ArchiveError.of(error);
   }
@@ -102,6 +106,12 @@ async function samplesOf(wav: Blob): Promise<Float32Array<ArrayBuffer>> {
   }
 }
 
+/** The most files of a ZIP, and bytes of one of them, that are read: as in the program. */
+const MOST_FILES = 10_000;
+const MOST_BYTES = 2 ** 28;
+/** How many times as long an archive may be once it is unpacked. */
+const MOST_RATIO = 16;
+
 /** A file in a ZIP, read when it is due. */
 export interface ZippedFile {
   readonly path: string;
@@ -113,24 +123,46 @@ export interface ZippedFile {
 /**
  * The files in a ZIP.
  *
- * @throws ArchiveError if it has no list of them.
+ * @throws ArchiveError if it has no list of them, or too many.
  */
 export async function filesIn(file: Blob): Promise<readonly ZippedFile[]> {
-  const { BlobReader, BlobWriter, ZipReader } = await zipped();
+  const { BlobReader, ZipReader } = await zipped();
   const entries = await new ZipReader(new BlobReader(file), CHECKED)
     .getEntries()
     .catch((error: unknown) => {
       throw ArchiveError.of(error);
     });
+  if (entries.length > MOST_FILES) throw new ArchiveError('huge');
   return entries.flatMap((entry) =>
     entry.directory
       ? []
       : {
           path: entry.filename,
           size: entry.uncompressedSize,
-          blob: () => entry.getData(new BlobWriter()),
+          blob: () => unpacked(entry.uncompressedSize, (to) => entry.getData(to)),
         },
   );
+}
+
+/** What is written, up to the length that the ZIP states. */
+async function unpacked(
+  size: number,
+  write: (to: WritableStream<Uint8Array>) => Promise<unknown>,
+): Promise<Blob> {
+  if (size > MOST_BYTES) throw new ArchiveError('huge');
+  let left = size;
+  const limited = new TransformStream<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>({
+    transform: (bytes, to) => {
+      left -= bytes.length;
+      if (left < 0) throw new ArchiveError('damaged');
+      to.enqueue(bytes);
+    },
+  });
+  const [blob] = await Promise.all([
+    new Response(limited.readable).blob(),
+    write(limited.writable as WritableStream<Uint8Array>),
+  ]);
+  return blob;
 }
 
 /** Whether it is an archive of kept drops. */
@@ -140,20 +172,28 @@ export const isArchive = (files: readonly ZippedFile[]): boolean =>
 /** The files in a ZIP by their names. */
 async function checkedFiles(file: Blob): Promise<Map<string, Blob>> {
   const files = new Map<string, Blob>();
-  for (const { path, blob } of await filesIn(file)) files.set(path, await blob());
+  const inside = await filesIn(file);
+  // All of them are in memory at once. The page compresses nothing, and other programs compress sound little.
+  const bytes = inside.reduce((sum, { size }) => sum + size, 0);
+  if (bytes > MOST_RATIO * file.size) throw new ArchiveError('huge');
+  for (const { path, blob } of inside) files.set(path, await blob());
   return files;
 }
 
 /**
- * The drops of a saved list, which has no sounds.
+ * The drops of a saved list, which has no sounds, and the names of those that the page could not show.
  *
  * @throws ArchiveError
  */
-export function dropsOfList({ schema, drops }: { schema?: unknown; drops?: unknown }): KeptDrop[] {
+export function dropsOfList({ schema, drops }: { schema?: unknown; drops?: unknown }): {
+  drops: readonly KeptDrop[];
+  refused: readonly string[];
+} {
   const [format, version] = String(schema).split('/');
   if (format === LIST_FORMAT && Number(version) > LIST_VERSION) throw new ArchiveError('newer');
-  if (format !== LIST_FORMAT || !isListOf(drops, isDrop)) throw new ArchiveError('damaged');
-  return drops.map((drop) => ({ ...foreign(drop), recording: null }));
+  if (format !== LIST_FORMAT || !Array.isArray(drops)) throw new ArchiveError('damaged');
+  const { drops: kept, refused } = sifted(drops, () => true);
+  return { drops: kept.map((drop) => ({ ...drop, recording: null })), refused };
 }
 
 /** A drop that comes from elsewhere: what it adds to a study is found out here. */
@@ -163,51 +203,30 @@ function foreign(drop: KeptDrop): KeptDrop {
 }
 
 /** The list, if it is one that this version understands. */
-function contentsOf(list: unknown): Contents {
+function contentsOf(list: unknown): Contents & { readonly refused: readonly string[] } {
   const { schema, drops, recordings } = list as { [K in 'schema' | keyof Contents]?: unknown };
   const [format, version] = String(schema).split('/');
   if (format === FORMAT && Number(version) > VERSION) throw new ArchiveError('newer');
   if (format !== FORMAT || Number(version) !== VERSION) throw new ArchiveError('damaged');
-  if (!isListOf(drops, isDrop) || !isListOf(recordings, isRecording)) {
-    throw new ArchiveError('damaged');
+  if (!Array.isArray(drops) || !Array.isArray(recordings)) throw new ArchiveError('damaged');
+  const sounds: readonly StoredRecording[] = recordings.filter(isRecording);
+  const known = new Set<string | null>([null, ...sounds.map(({ id }) => id)]);
+  return { ...sifted(drops, ({ recording }) => known.has(recording)), recordings: sounds };
+}
+
+/** Splits a list into drops that this page could have kept, and the names of the others. */
+function sifted(
+  drops: readonly unknown[],
+  isKept: (drop: KeptDrop) => boolean,
+): { drops: readonly KeptDrop[]; refused: readonly string[] } {
+  const kept: KeptDrop[] = [];
+  const refused: string[] = [];
+  for (const [place, drop] of drops.entries()) {
+    if (isDrop(drop) && isKept(drop)) kept.push(foreign(drop));
+    else refused.push(nameIn(drop, place));
   }
-  const known = new Set<string | null>([null, ...recordings.map(({ id }) => id)]);
-  if (!drops.every(({ recording }) => known.has(recording))) throw new ArchiveError('damaged');
-  return { drops: drops.map(foreign), recordings };
+  return { drops: kept, refused };
 }
 
-const isListOf = <T>(list: unknown, is: (value: unknown) => value is T): list is T[] =>
-  Array.isArray(list) && list.every(is);
-
-const isNumber = Number.isFinite;
-const isText = (value: unknown): value is string => typeof value === 'string';
-const isObject = (value: unknown): value is Record<string, unknown> =>
-  typeof value === 'object' && value !== null;
-const isKnown = (value: unknown): boolean =>
-  value === null || (isObject(value) && isNumber(value['value']));
-
-function isRecording(value: unknown): value is StoredRecording {
-  return (
-    isObject(value) &&
-    isText(value['id']) &&
-    isText(value['name']) &&
-    isNumber(value['rateHz']) &&
-    isNumber(value['startedAt']) &&
-    (value['gaps'] === undefined || isListOf(value['gaps'], isObject))
-  );
-}
-
-/** All that the page uses without asking whether it is there. */
-function isDrop(value: unknown): value is KeptDrop {
-  if (!isObject(value) || !isObject(value['settings']) || !isObject(value['marks'])) return false;
-  const { id, name, ball, keptAt, recording, restitution, dropHeightM, restitutions, marks } =
-    value;
-  return (
-    [id, name, ball].every(isText) &&
-    isNumber(keptAt) &&
-    (recording === null || isText(recording)) &&
-    [restitution, dropHeightM].every(isKnown) &&
-    isListOf(restitutions, isObject) &&
-    isListOf((marks as Record<string, unknown>)['impacts'], isObject)
-  );
-}
+const nameIn = (drop: unknown, place: number): string =>
+  isObject(drop) && isText(drop['name']) ? drop['name'] : `#${place + 1}`;

@@ -41,6 +41,28 @@ test('a write that the browser aborted is made once more', async () => {
   expect(await countBlocks('aborted')).toBe(2);
 });
 
+test('a write is made once more as often as a clearing of the storage closes the database', async () => {
+  const closing = () => {
+    throw new DOMException('Force close delete origin', 'UnknownError');
+  };
+  await putBlock('closing', 0, sound(1));
+  for (let number = 0; number < 3; number += 1) transactions.mockImplementationOnce(closing);
+  await putBlock('closing', 1, sound(2));
+  expect(await countBlocks('closing')).toBe(2);
+});
+
+test('a write of which a closed database tells nothing is made once more', async () => {
+  await putBlock('untold', 0, sound(1));
+  transactions.mockImplementationOnce(
+    () => ({ objectStore: () => ({ put: () => ({}) }) }) as unknown as IDBTransaction,
+  );
+  const written = putBlock('untold', 1, sound(2));
+  await vi.waitUntil(() => transactions.mock.calls.length > 1);
+  forceCloseDatabase(connection() as never);
+  await written;
+  expect(await countBlocks('untold')).toBe(2);
+});
+
 test('the storage can be cleared while the page is open, and is used again', async () => {
   await putBlock('cleared', 0, sound(1));
   await new Promise((resolve, reject) => {

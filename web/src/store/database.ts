@@ -54,21 +54,26 @@ function open(): Promise<IDBDatabase> {
   return opened;
 }
 
+/** How often a transaction is run at most: the browser closes the database more than once while it clears its storage. */
+const MAX_ATTEMPTS = 4;
+
 /**
  * Runs one transaction; resolves when it is on the disk, not before. If the database was closed, before
- * or on the way, nothing of it was done, and it is run once more.
+ * or on the way, it is run again: doing it twice must be as doing it once.
  */
 export async function transact<T>(
   stores: readonly StoreName[],
   mode: IDBTransactionMode,
   work: (transaction: IDBTransaction) => IDBRequest<T> | undefined,
 ): Promise<T | undefined> {
-  const run = async () => attempt(await open(), stores, mode, work);
-  return run().catch((error: unknown) => {
-    if (!isClosed(error)) throw error;
-    forget();
-    return run();
-  });
+  for (let number = 1; ; number += 1) {
+    try {
+      return await attempt(await open(), stores, mode, work);
+    } catch (error) {
+      if (!isClosed(error) || number === MAX_ATTEMPTS) throw error;
+      forget();
+    }
+  }
 }
 
 function attempt<T>(
@@ -82,9 +87,17 @@ function attempt<T>(
     const durability = mode === 'readwrite' ? 'strict' : 'default';
     const transaction = database.transaction(stores, mode, { durability });
     const request = work(transaction);
-    transaction.oncomplete = () => resolve(request?.result);
-    transaction.onabort = () =>
-      reject(transaction.error ?? new DOMException('aborted', 'AbortError'));
+    // A browser that clears its storage may close the database without a word to the transactions in it.
+    const closed = () => reject(new DOMException('closed', 'AbortError'));
+    database.addEventListener('close', closed);
+    const end = (settle: () => void) => () => {
+      database.removeEventListener('close', closed);
+      settle();
+    };
+    transaction.oncomplete = end(() => resolve(request?.result));
+    transaction.onabort = end(() =>
+      reject(transaction.error ?? new DOMException('aborted', 'AbortError')),
+    );
   });
 }
 
@@ -110,8 +123,9 @@ export function blocksOf(recording: string): IDBKeyRange {
 const named = (error: unknown, ...names: readonly string[]): boolean =>
   error instanceof DOMException && names.includes(error.name);
 
-/** Whether an error says that the database was closed. */
-const isClosed = (error: unknown): boolean => named(error, 'InvalidStateError', 'AbortError');
+/** Whether an error says that the database was closed; Chromium calls it unknown when all storage is cleared. */
+const isClosed = (error: unknown): boolean =>
+  named(error, 'InvalidStateError', 'AbortError', 'UnknownError');
 
 /** Whether an error says that the disk is full. */
 export const isFull = (error: unknown): boolean => named(error, 'QuotaExceededError');

@@ -56,7 +56,7 @@ function isTag(tag: string): boolean {
   }
 }
 
-/** Gives the browser a language that libraries can ask Intl for, if its own is none. */
+/** Replaces the language of the browser by that of the page, if `Intl` refuses it: libraries ask for it. */
 export function mendLanguage(): void {
   if (isTag(navigator.language)) return;
   Reflect.defineProperty(navigator, 'language', { value: language.peek(), configurable: true });

@@ -14,6 +14,7 @@ import {
 import { hearing } from '../support/sounds.ts';
 import { FIREFOX, firefoxOptions, STYLE_OF_PLAYWRIGHT } from './firefox.ts';
 import { environment, type FontSet } from './fonts.ts';
+import { SLOWDOWN } from './slowdown.ts';
 
 const PLACES = [
   '/usr/bin/chromium',
@@ -34,6 +35,14 @@ const QUIET = [
   '--disable-component-update',
   '--disable-sync',
   '--mute-audio',
+];
+
+/** Without these, which Playwright gives the browsers that it launches, a browser may draw no frames of a page that it takes for hidden. */
+const AWAKE = [
+  '--disable-backgrounding-occluded-windows',
+  '--disable-renderer-backgrounding',
+  '--disable-background-timer-throttling',
+  '--disable-dev-shm-usage',
 ];
 
 /**
@@ -91,14 +100,25 @@ export async function newContext(
 ): Promise<BrowserContext> {
   const context = await browser.newContext(options);
   context.setDefaultTimeout(PATIENCE_MS);
+  if (SLOWDOWN > 1 && !FIREFOX) context.on('page', slowDown);
   await preparations.get(browser)?.(context);
   return context;
 }
 
+/** Closes all pages, which would go on taking memory and time from the tests that follow. */
+export async function closeContexts(browser: Browser): Promise<void> {
+  for (const context of browser.contexts()) await context.close();
+}
+
+async function slowDown(page: Page): Promise<void> {
+  const session = await page.context().newCDPSession(page);
+  await session.send('Emulation.setCPUThrottlingRate', { rate: SLOWDOWN });
+}
+
 /** A Chromium that can be killed. */
 export interface Mortal {
-  /** The context of its profile, which outlives it. */
-  readonly context: BrowserContext;
+  /** Its only page, empty at first: no other tab can hide it. Its context is that of the profile, which outlives it. */
+  readonly page: Page;
   /** Ends all its processes at once, without a word. */
   kill(): void;
   /** When it is dead. */
@@ -107,7 +127,7 @@ export interface Mortal {
 
 /** A Chromium with a profile in this folder, in a process group of its own. */
 export async function launchMortal(profile: string): Promise<Mortal> {
-  const args = ['--no-sandbox', '--headless=new', ...QUIET, ...sound('silence')];
+  const args = ['--no-sandbox', '--headless=new', ...QUIET, ...AWAKE, ...sound('silence')];
   const debugged = [
     '--disable-breakpad',
     '--remote-debugging-port=0',
@@ -128,7 +148,8 @@ export async function launchMortal(profile: string): Promise<Mortal> {
   const browser = await chromium.connectOverCDP(address, { timeout: PATIENCE_MS });
   const context = browser.contexts()[0] as BrowserContext;
   context.setDefaultTimeout(PATIENCE_MS);
-  return { context, kill: () => process.kill(-(started.pid as number), 'SIGKILL'), death };
+  const page = context.pages()[0] ?? (await context.waitForEvent('page'));
+  return { page, kill: () => process.kill(-(started.pid as number), 'SIGKILL'), death };
 }
 
 function sound(microphone: Microphone): string[] {

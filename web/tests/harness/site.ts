@@ -3,7 +3,9 @@ import { readFile } from 'node:fs/promises';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join, normalize } from 'node:path';
+import { setTimeout as pause } from 'node:timers/promises';
 import { POLICY } from '../../build/policy.ts';
+import { SLOWDOWN } from './slowdown.ts';
 
 const MEDIA_TYPES: Record<string, string> = {
   '.html': 'text/html; charset=utf-8',
@@ -33,6 +35,7 @@ export class Site {
     const server = createServer(async (request, response) => {
       const path = normalize(new URL(request.url ?? '/', 'http://localhost').pathname);
       const name = path.endsWith('/') ? `${path}index.html` : path;
+      if (SLOWDOWN > 1) await pause(Math.random() * SLOWDOWN * 100);
       try {
         const plain = join(folder, name);
         const isSmall = existsSync(`${plain}.br`);

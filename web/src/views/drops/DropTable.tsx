@@ -1,10 +1,12 @@
 import { computed, signal } from '@preact/signals';
 import { Choice } from '../../app/Choice.tsx';
 import { handFocusOn } from '../../app/focus.ts';
+import { statedInWords } from '../../app/set-up-words.ts';
 import { estimated, LENGTH, NUMBER, rounded } from '../../format/quantity.ts';
 import { areAlike, ballOf, presetOf } from '../../state/comparing.ts';
 import { catalogue } from '../../state/engine.ts';
 import { alter, kept, openKept, remove, stateBallOf, tick, ticked } from '../../state/keeping.ts';
+import { unusualOf } from '../../state/settings.ts';
 import { spreadOf } from '../../state/spread.ts';
 import { busy } from '../../state/workspace.ts';
 import type { KeptDrop } from '../../store/drops.ts';
@@ -115,6 +117,7 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
             else void alter(drop.id, { name });
           }}
         />
+        <Unusual drop={drop} />
       </td>
       <td>
         <Ball drop={drop} />
@@ -156,6 +159,12 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
       </td>
     </tr>
   );
+}
+
+/** What few drops have and the drop states: a file or link of somebody else may state anything. */
+function Unusual({ drop }: { readonly drop: KeptDrop }) {
+  const words = statedInWords(unusualOf(drop.settings));
+  return words === '' ? null : <span class="small soft">{words}</span>;
 }
 
 interface NotedProps {

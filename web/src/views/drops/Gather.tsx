@@ -1,5 +1,6 @@
 import { signal } from '@preact/signals';
 import { useRef } from 'preact/hooks';
+import { Cancel } from '../../app/Cancel.tsx';
 import { FaultNotice } from '../../app/FaultNotice.tsx';
 import { FileButton } from '../../app/FileButton.tsx';
 import { type Gathered, gather } from '../../state/gathering.ts';
@@ -9,16 +10,20 @@ import { Scanner } from './Scanner.tsx';
 /** The file that is read now, and the results; files may also be dropped anywhere on the page. */
 const reading = signal<string | null>(null);
 const gathered = signal<Gathered | null>(null);
+/** Ends the reading. */
+let reader = new AbortController();
 
 /** Adds the drops of files and links to the table. */
 export async function gatherHere(files: readonly File[], pasted = ''): Promise<void> {
   if (reading.peek() !== null) return;
   reading.value = '';
   gathered.value = null;
+  reader = new AbortController();
+  const show = (name: string): void => {
+    reading.value = name;
+  };
   try {
-    gathered.value = await gather(files, pasted, (name) => {
-      reading.value = name;
-    });
+    gathered.value = await gather(files, pasted, show, reader.signal);
   } finally {
     reading.value = null;
   }
@@ -62,6 +67,7 @@ export function Gather() {
       <p role="status" class="small">
         {isBusy ? text('page-drops-adding', { name: reading.value ?? '' }) : <Outcome />}
       </p>
+      {isBusy && <Cancel onCancel={() => reader.abort()} />}
       {gathered.value?.refused.map((fault) => (
         <FaultNotice key={fault.about} fault={fault} />
       ))}

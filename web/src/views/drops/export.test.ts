@@ -14,9 +14,11 @@ test('names are quoted, and none is taken for a formula', () => {
     marks: { edited: false, probability: 1, impacts: [] },
     recording: null,
     student: '@Anna',
-    surface: '',
+    surface: '\uff1d1+1',
   };
   const [head, row] = csvOf([drop]).split('\r\n');
   expect(head?.split(',')).toHaveLength(10);
-  expect(row).toBe(`"'=1+""1"", or so",1970-01-01T00:00:00.000Z,"'@Anna","tennis","",0.75,,,,0`);
+  expect(row).toBe(
+    `"'=1+""1"", or so",1970-01-01T00:00:00.000Z,"'@Anna","tennis","'\uff1d1+1",0.75,,,,0`,
+  );
 });

@@ -33,9 +33,9 @@ export function csvOf(drops: readonly KeptDrop[]): string {
   return [COLUMNS, ...rows].map((row) => `${row.join(',')}\r\n`).join('');
 }
 
-/** A name may hold commas and quotes, and must not be taken for a formula. */
+/** A name may hold commas and quotes, and must not be taken for a formula; some spreadsheets read full-width signs, too. */
 function quoted(text: string): string {
-  const harmless = /^[=+\-@\t\r]/.test(text) ? `'${text}` : text;
+  const harmless = /^[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]/.test(text) ? `'${text}` : text;
   return `"${harmless.replaceAll('"', '""')}"`;
 }
 

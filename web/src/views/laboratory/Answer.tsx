@@ -54,7 +54,7 @@ export function Answer() {
   );
 }
 
-/** The answer with its speed and ball, or why there is none. */
+/** The answer with its speed and ball, or why the recording gives no answer. */
 function Sentences({ headline: { is_answer, sentences } }: { readonly headline: Headline }) {
   const [first, ...others] = sentences;
   return (

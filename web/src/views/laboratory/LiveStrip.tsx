@@ -1,4 +1,5 @@
 import { useEffect, useRef } from 'preact/hooks';
+import { Cancel } from '../../app/Cancel.tsx';
 import { HeightCurve, hopsOf } from '../../app/HeightCurve.tsx';
 import { PERCENT, rounded } from '../../format/quantity.ts';
 import { hint, live, savedS, soFar } from '../../state/listening.ts';
@@ -29,7 +30,10 @@ export function LiveStrip() {
       )}
       <canvas ref={canvas} class="live" aria-hidden="true" />
       {phase.value.kind === 'reading' ? (
-        <Progress share={phase.value.share} />
+        <>
+          <Progress share={phase.value.share} />
+          {phase.value.cancel && <Cancel onCancel={phase.value.cancel} />}
+        </>
       ) : (
         <p class="soft">
           {text('page-lab-ends-itself')}{' '}

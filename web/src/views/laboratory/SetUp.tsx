@@ -1,6 +1,6 @@
+import { statedInWords } from '../../app/set-up-words.ts';
 import { decide, offered, resetUnusual, settings, unusualOf } from '../../state/settings.ts';
 import { text } from '../../text/language.ts';
-import { statedInWords } from './set-up-words.ts';
 
 /** What a link states and the reader did not, and what of the set-up few drops have, each with the way out. */
 export function SetUp() {

@@ -1,8 +1,8 @@
+import { airInWords, ballInWords, gravityInWords } from '../../app/set-up-words.ts';
 import { settings } from '../../state/settings.ts';
 import { refusedSettings } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 import { SettingsForm } from './SettingsForm.tsx';
-import { airInWords, ballInWords, gravityInWords } from './set-up-words.ts';
 
 /** Stated and assumed quantities in one line, which unfolds into a form. */
 export function SettingsLine() {

@@ -2,15 +2,13 @@ import { useState } from 'preact/hooks';
 import { Choice } from '../../app/Choice.tsx';
 import { NumberField } from '../../app/NumberField.tsx';
 import { useAnswer } from '../../chart/Figure.tsx';
+import { MAX_NUMBER } from '../../lab/engine/types.ts';
 import { catalogue, engine } from '../../state/engine.ts';
 import { begin } from '../../state/series.ts';
 import { busy } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 import { ballName } from '../../text/names.ts';
 import { Field } from './Field.tsx';
-
-/** Maximum number of places, and of drops in a place. */
-const MAX = 1000;
 
 /** What is chosen when a test series begins. */
 export function Begin() {
@@ -60,7 +58,7 @@ export function Begin() {
           unit=""
           value={places}
           min={1}
-          max={MAX}
+          max={MAX_NUMBER}
           onChange={setPlaces}
         />
         <NumberField
@@ -68,7 +66,7 @@ export function Begin() {
           unit=""
           value={drops}
           min={1}
-          max={MAX}
+          max={MAX_NUMBER}
           onChange={setDrops}
         />
       </div>

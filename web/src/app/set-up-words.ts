@@ -1,10 +1,10 @@
 /** A set-up in words. */
-import { fixed } from '../../format/quantity.ts';
-import type { Settings } from '../../lab/index.ts';
-import { catalogue } from '../../state/engine.ts';
-import { isOwnBall } from '../../state/settings.ts';
-import { language, text } from '../../text/language.ts';
-import { ballName, UNSTATED } from '../../text/names.ts';
+import { fixed } from '../format/quantity.ts';
+import type { Settings } from '../lab/index.ts';
+import { catalogue } from '../state/engine.ts';
+import { isOwnBall } from '../state/settings.ts';
+import { language, text } from '../text/language.ts';
+import { ballName, UNSTATED } from '../text/names.ts';
 
 const number = (value: number): string =>
   Number(value.toPrecision(4)).toLocaleString(language.value, { useGrouping: false });
