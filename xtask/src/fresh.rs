@@ -40,12 +40,19 @@ pub(crate) fn run() -> Result {
     check.args(["--all-targets", "--locked"]);
     place.run_sharing_target(&mut check)?;
     // What `cargo xtask install` does after the page, without the microphone, and the demo, which finds everything
-    // compiled: with the profile of the tests, so that only the crates of the clone are compiled.
+    // compiled: with the profile of the tests, so that only the crates of the clone are compiled; and those not optimised,
+    // since optimising them takes longer than the demo without it.
     for words in [
         "install --locked --profile dev --path crates/bouncelab-cli --root installed",
         "run --locked -- demo",
     ] {
         let mut command = Command::new("cargo");
+        for name in ["bouncelab", "bouncelab-audio"] {
+            for setting in ["opt-level=0", "codegen-units=16"] {
+                let setting = format!("profile.dev.package.{name}.{setting}");
+                command.args(["--config", &setting]);
+            }
+        }
         place.run_sharing_target(command.args(words.split(' ')))?;
     }
     place.check_without_microphone()?;

@@ -89,7 +89,7 @@ const TASKS: [Task; 8] = [
     },
     Task {
         name: "web",
-        arguments: "[engine | package | check | e2e [FILE...] [--firefox] [--repeat N] [--load] [--pictures]]",
+        arguments: "[engine | package | check | e2e [FILE...] [--firefox] [--repeat N] [--load] [--slowdown N] [--pictures]]",
         about: web::ABOUT,
         run: web::run,
     },

@@ -3,6 +3,7 @@
 //! Everything goes into virtual environments in the target folder. The wheel of the check is built in the
 //! profile of the other checks, without link-time optimisation, and shares their compiled dependencies.
 
+use std::collections::BTreeSet;
 use std::env;
 use std::ffi::OsString;
 use std::fs;
@@ -10,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread;
 
-use crate::cargo::{cargo, emptied, root, run as run_command, succeeds, target};
+use crate::cargo::{cargo, cargo_all, emptied, root, run as run_command, succeeds, target};
 use crate::steps::skip;
 use crate::{Result, file_error, notices, release};
 
@@ -166,6 +167,7 @@ pub(crate) fn have_package_index() -> bool {
 pub(crate) fn check() -> Result {
     let found = interpreters();
     let (first, others) = found.split_first().ok_or(MISSING)?;
+    shares_dependencies()?;
     let venv = Venv::first(&first.1)?;
     let wheel = venv.shared_wheel()?;
     venv.take(&wheel)?;
@@ -212,6 +214,35 @@ pub(crate) fn check() -> Result {
         ));
     }
     Ok(())
+}
+
+/// Whether the dependencies of the wheel of the checks have the features that the other checks give them: else each such
+/// crate, and all that depend on it, are compiled twice.
+fn shares_dependencies() -> Result {
+    let features_of = |command: &mut Command| -> Result<BTreeSet<String>> {
+        let made = command.args(["--prefix", "none", "--format", "{p} {f}"]);
+        let made = made.output().map_err(|reason| reason.to_string())?;
+        if !made.status.success() {
+            return Err(String::from_utf8_lossy(&made.stderr).into_owned());
+        }
+        let lines = String::from_utf8_lossy(&made.stdout).into_owned();
+        let lines = lines.lines().map(|line| line.trim_end_matches(" (*)"));
+        // The crates of the workspace, which have a path, differ in what only some machines can build.
+        let of_others = lines.filter(|line| !line.contains("(/"));
+        Ok(of_others.map(str::to_owned).collect())
+    };
+    let all = features_of(&mut cargo_all(&["tree", "--edges", "normal,build,dev"]))?;
+    let mut tree = cargo(["tree", "--package", "bouncelab-python"]);
+    let shared = features_of(tree.args(["--edges", "normal,build"]).args(SHARED))?;
+    let others: Vec<_> = shared.difference(&all).map(String::as_str).collect();
+    if others.is_empty() {
+        return Ok(());
+    }
+    Err(format!(
+        "the feature shared-build of bouncelab-python gives these crates other features than the workspace does, so that \
+         they are compiled twice:\n{}",
+        others.join("\n")
+    ))
 }
 
 /// Version and place of the interpreters that there are.

@@ -101,9 +101,10 @@ pub(crate) const CHECKS: [Check; 20] = [
         run: || {
             let mut command = cargo_all(&["clippy"]);
             run_command(command.args(["--all-targets", "--", "-D", "warnings"]))?;
-            // As the program is without the microphone.
-            let without = ["clippy", "--workspace", "--", "-D", "warnings"];
-            run_command(&mut cargo(without))
+            // As the program is without the microphone. With a test, the features of all dependencies stay those of the
+            // tests: nothing else is checked anew.
+            let without = "clippy --workspace --lib --bins --test tables -- -D warnings";
+            run_command(&mut cargo(without.split(' ')))
         },
     },
     Check {

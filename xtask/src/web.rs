@@ -44,9 +44,11 @@ pub(crate) fn build() -> Result {
     npm(&["run", "size"])
 }
 
+/// Built once, however many checks want it.
 fn page() -> Result {
-    engine()?;
-    npm(&["run", "build"])
+    static MADE: OnceLock<Result> = OnceLock::new();
+    let make = || engine().and_then(|()| npm(&["run", "build"]));
+    MADE.get_or_init(make).clone()
 }
 
 /// The package of npm for pages of others, packed into the target folder.
@@ -62,8 +64,13 @@ pub(crate) fn package() -> Result<PathBuf> {
     Ok(target().join(concat!("bouncelab-", env!("CARGO_PKG_VERSION"), ".tgz")))
 }
 
-/// What the package holds, in its folder.
+/// What the package holds, in its folder; made once, however many checks want it.
 fn unpacked() -> Result {
+    static MADE: OnceLock<Result> = OnceLock::new();
+    MADE.get_or_init(make_package).clone()
+}
+
+fn make_package() -> Result {
     let folder = web().join("package");
     for licence in ["LICENSE-MIT", "LICENSE-APACHE"] {
         fs::copy(root().join(licence), folder.join(licence))

@@ -12,20 +12,18 @@ use crate::cargo::{built, run as run_command};
 use crate::steps::{Time, Watch};
 
 /// Runs the tests, or those whose file has one of the names in it; in Firefox with `--firefox`; `--repeat N`
-/// times in a row, and with `--load` while other work keeps every processor busy. `--pictures` takes pictures of what
-/// they see, into `web/tests/screenshots`.
+/// times in a row, and with `--load` while other work keeps every processor busy. `--slowdown N` makes the page itself
+/// N times slower, so that a test fails which reads the page too early. `--pictures` takes pictures of what they see,
+/// into `web/tests/screenshots`.
 pub(crate) fn run(words: &[&str]) -> Result {
     let mut names = Vec::new();
-    let (mut repeat, mut load, mut firefox, mut pictures) = (1, false, false, false);
+    let (mut repeat, mut slowdown) = (1, None);
+    let (mut load, mut firefox, mut pictures) = (false, false, false);
     let mut words = words.iter();
     while let Some(word) = words.next() {
         match *word {
-            "--repeat" => {
-                let count = words.next().and_then(|count| count.parse().ok());
-                repeat = count
-                    .filter(|count| *count > 0)
-                    .ok_or("--repeat takes a number")?;
-            }
+            "--repeat" => repeat = number("--repeat", words.next())?,
+            "--slowdown" => slowdown = Some(number("--slowdown", words.next())?),
             "--load" => load = true,
             "--firefox" => firefox = true,
             "--pictures" => pictures = true,
@@ -57,11 +55,20 @@ pub(crate) fn run(words: &[&str]) -> Result {
             if pictures {
                 command.env("BOUNCELAB_PICTURES", "");
             }
+            if let Some(times) = slowdown {
+                command.env("BOUNCELAB_SLOWDOWN", times.to_string());
+            }
             (run_command(&mut command), watch.time())
         })
         .collect();
     drop(busy);
     conclude(&runs)
+}
+
+fn number(option: &str, word: Option<&&str>) -> Result<u32> {
+    word.and_then(|word| word.parse().ok())
+        .filter(|number| *number > 0)
+        .ok_or_else(|| format!("{option} takes a number"))
 }
 
 /// Runs the tests in Firefox, but for those that `web/tests/harness/firefox.ts` lists.
