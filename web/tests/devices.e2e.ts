@@ -149,6 +149,36 @@ test('a newer page does not throw away what is open', async () => {
   await site.close();
 });
 
+test('a newer page does not wait for what the older one has not ended', async () => {
+  const copy = join(folder(), 'busy');
+  cpSync(join(import.meta.dirname, '../dist'), copy, { recursive: true });
+  rmSync(join(copy, 'sw.js.br'));
+  appendFileSync(
+    join(copy, 'sw.js'),
+    "\nself.addEventListener('message', (event) => event.waitUntil(new Promise(() => {})));",
+  );
+  const site = await Site.open(copy);
+  const { page } = await open(here.browser, site.url);
+  await page.evaluate(async () => {
+    await navigator.serviceWorker.ready;
+  });
+  await page.reload();
+  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  await page.locator('input[type=file]').setInputFiles(drop('unkept'));
+  const before = await answers(page);
+  appendFileSync(join(copy, 'sw.js'), '\n// newer');
+  await page.evaluate(async () => {
+    navigator.serviceWorker.controller?.postMessage('never ends');
+    await (await navigator.serviceWorker.ready).update();
+  });
+  await page.getByRole('button', { name: 'Reload' }).click();
+  await page.getByText(/^The recording of .* is not in the table of drops\.$/).waitFor();
+  await page.getByRole('button', { name: 'Open it' }).click();
+  expect(await answers(page)).toEqual(before);
+  await page.context().close();
+  await site.close();
+});
+
 test('a page beside the book links to it, and no other does', async () => {
   const { page } = await open(here.browser, here.url);
   expect(await page.getByRole('link', { name: 'Tutorial and documents' }).count()).toBe(0);

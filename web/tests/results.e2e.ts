@@ -53,6 +53,24 @@ test('drops are kept, deleted and brought back with their set-up, and outlive th
   await page.context().close();
 });
 
+test('what is being typed stays while the page is drawn', async () => {
+  const { page } = await open(here.browser, here.url);
+  await tryDemo(page);
+  await keepAs(page, 'Anna');
+  await page.goto(`${here.url}#drops`);
+  const surface = page.getByLabel('Surface of Anna');
+  await surface.pressSequentially('sto');
+  // Another window may change the drop meanwhile; the mouse would leave the field.
+  const tick = page.getByLabel('Compare Anna');
+  await tick.evaluate((box: HTMLInputElement) => box.click());
+  await tick.and(page.locator(':checked')).waitFor();
+  await surface.pressSequentially('ne');
+  await surface.press('Enter');
+  await page.reload();
+  await expect.poll(() => surface.inputValue()).toBe('stone');
+  await page.context().close();
+});
+
 const tennis = 'ball=tennis&temperature_c=25';
 const line = (page: Page, words: RegExp) => page.locator('.settings .line', { hasText: words });
 

@@ -2,6 +2,7 @@ import { useId, useState } from 'preact/hooks';
 import { readNumber, tidy } from '../address/settings.ts';
 import { localised } from '../format/quantity.ts';
 import { language, text } from '../text/language.ts';
+import { useTyped } from './typed.ts';
 
 interface Props {
   readonly label: string;
@@ -31,6 +32,7 @@ export function NumberField({ label, unit, value, usual, min, max, question, onC
     setWrong(fine || isEmpty ? undefined : typed);
     if (fine || isEmpty) onChange(read);
   };
+  const typed = useTyped(wrong ?? written(value), take);
   return (
     <div class="field">
       <label for={id}>{label}</label>
@@ -40,11 +42,10 @@ export function NumberField({ label, unit, value, usual, min, max, question, onC
           type="text"
           inputMode="decimal"
           autocomplete="off"
-          value={wrong ?? written(value)}
+          {...typed}
           placeholder={written(usual)}
           aria-invalid={wrong !== undefined}
           aria-describedby={`${id}-hint`}
-          onChange={(event) => take(event.currentTarget.value)}
         />
         <span class="unit">{unit}</span>
       </span>

@@ -24,11 +24,31 @@ export async function workOffline(): Promise<void> {
   }
 }
 
+/** How long the older service worker may take to end what it does, in milliseconds: browsers give it minutes. */
+const PATIENCE_MS = 3_000;
+
 /** Lets the newer page take over; another tab may have done so already. */
-export function takeOver(): void {
-  const reload = (): void => location.reload();
+export async function takeOver(): Promise<void> {
   if (waiting?.state === 'installed') {
-    navigator.serviceWorker.addEventListener('controllerchange', reload, { once: true });
+    const changed = new Promise<boolean>((resolve) => {
+      const done = () => resolve(true);
+      navigator.serviceWorker.addEventListener('controllerchange', done, { once: true });
+    });
     waiting.postMessage('take over');
-  } else reload();
+    const late = new Promise<boolean>((resolve) => setTimeout(resolve, PATIENCE_MS, false));
+    if (!(await Promise.race([changed, late]))) await Promise.race([changed, passBy()]);
+  }
+  location.reload();
+}
+
+/** Without a service worker the whole page comes from the network; never resolves where there is none. */
+async function passBy(): Promise<void> {
+  try {
+    const registration = await navigator.serviceWorker.ready;
+    const found = await fetch('sw.js', { cache: 'no-store' });
+    if (found.ok && (await registration.unregister())) return;
+  } catch {
+    // No network: what is open stays until the newer page can take over.
+  }
+  await new Promise(() => undefined);
 }

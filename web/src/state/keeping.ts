@@ -1,6 +1,6 @@
 /** Keeping drops in the browser, and what they show together. */
 import { computed, signal } from '@preact/signals';
-import { allDrops, deleteDrop, type KeptDrop, putDrop } from '../store/drops.ts';
+import { allDrops, alterDrop, deleteDrop, type KeptDrop, putDrop } from '../store/drops.ts';
 import { newId } from '../store/id.ts';
 import { lock, locked } from '../store/locks.ts';
 import { addRecording, deleteRecording } from '../store/recordings.ts';
@@ -125,12 +125,9 @@ type Labels = Partial<Pick<KeptDrop, 'name' | 'student' | 'surface'>>;
 
 /** Changes a kept drop. */
 export async function alter(id: string, labels: Labels | Partial<Measured>): Promise<void> {
-  const found = kept.peek().find((candidate) => candidate.id === id);
-  if (!found) return;
-  const altered = { ...found, ...labels };
-  await putDrop(altered);
+  await alterDrop(id, labels);
   changes += 1;
-  kept.value = kept.peek().map((candidate) => (candidate.id === id ? altered : candidate));
+  kept.value = kept.peek().map((found) => (found.id === id ? { ...found, ...labels } : found));
 }
 
 /** States another ball of a kept drop, which is analysed again. */

@@ -1,7 +1,7 @@
 import 'fake-indexeddb/auto';
 import { forceCloseDatabase } from 'fake-indexeddb';
 import { afterEach, expect, test, vi } from 'vitest';
-import { addDrops, allDrops, type KeptDrop, putDrop } from './drops.ts';
+import { addDrops, allDrops, alterDrop, deleteDrop, type KeptDrop, putDrop } from './drops.ts';
 import { addRecording, countBlocks, putBlock, samplesOf } from './recordings.ts';
 
 const sound = (...samples: number[]) => Float32Array.from(samples);
@@ -79,14 +79,27 @@ test('what is written is on the disk before it counts as written', async () => {
   expect(transactions).toHaveBeenLastCalledWith(['blocks'], 'readwrite', { durability: 'strict' });
 });
 
+const drop = (id: string, name: string) =>
+  ({ id, name, keptAt: 0, marks: { probability: 1, impacts: [] } }) as unknown as KeptDrop;
+
+test('two changes of a drop at once are both made, and a deleted drop stays deleted', async () => {
+  await putDrop(drop('changed', 'before'));
+  await Promise.all([
+    alterDrop('changed', { name: 'after' }),
+    alterDrop('changed', { surface: 'oak' }),
+  ]);
+  expect(await allDrops()).toMatchObject([{ name: 'after', surface: 'oak' }]);
+  await deleteDrop('changed');
+  await alterDrop('changed', { name: 'again' });
+  expect(await allDrops()).toEqual([]);
+});
+
 test('what is added never takes the place of what is there', async () => {
   const recording = { id: 'a', name: 'mine', rateHz: 4, startedAt: 0, finished: true };
   await addRecording(recording, sound(1));
   await addRecording({ ...recording, name: 'theirs' }, sound(2));
   expect(await samplesOf('a')).toEqual([sound(1)]);
 
-  const drop = (id: string, name: string) =>
-    ({ id, name, keptAt: 0, marks: { probability: 1, impacts: [] } }) as unknown as KeptDrop;
   await putDrop(drop('1', 'mine'));
   await addDrops([drop('1', 'theirs'), drop('2', 'new')]);
   expect((await allDrops()).map(({ name }) => name)).toEqual(['mine', 'new']);

@@ -39,6 +39,18 @@ export async function putDrop(drop: KeptDrop): Promise<void> {
   await transact(['drops'], 'readwrite', (t) => t.objectStore('drops').put(drop));
 }
 
+/** Changes some of what a stored drop has. The rest stays as it is, whoever changed it meanwhile. */
+export async function alterDrop(id: string, change: Partial<KeptDrop>): Promise<void> {
+  await transact(['drops'], 'readwrite', (t) => {
+    const store = t.objectStore('drops');
+    const found: IDBRequest<KeptDrop | undefined> = store.get(id);
+    found.onsuccess = () => {
+      if (found.result) store.put({ ...found.result, ...change });
+    };
+    return undefined;
+  });
+}
+
 /** Adds drops to the stored ones, which stay as they are; returns the number of new ones. */
 export async function addDrops(drops: readonly KeptDrop[]): Promise<number> {
   let added = 0;

@@ -2,6 +2,7 @@ import { computed, signal } from '@preact/signals';
 import { Choice } from '../../app/Choice.tsx';
 import { handFocusOn } from '../../app/focus.ts';
 import { statedInWords } from '../../app/set-up-words.ts';
+import { useTyped } from '../../app/typed.ts';
 import { estimated, LENGTH, NUMBER, rounded } from '../../format/quantity.ts';
 import { areAlike, ballOf, presetOf } from '../../state/comparing.ts';
 import { catalogue } from '../../state/engine.ts';
@@ -105,18 +106,7 @@ function Row({ drop }: { readonly drop: KeptDrop }) {
         />
       </td>
       <td>
-        <input
-          class="name"
-          aria-label={text('page-drops-rename', { name: drop.name })}
-          value={drop.name}
-          maxLength={120}
-          onChange={(event) => {
-            const name = event.currentTarget.value.trim();
-            // A drop always has a name: an empty one is replaced by the previous name.
-            if (name === '') event.currentTarget.value = drop.name;
-            else void alter(drop.id, { name });
-          }}
-        />
+        <Name drop={drop} />
         <Unusual drop={drop} />
       </td>
       <td>
@@ -167,6 +157,16 @@ function Unusual({ drop }: { readonly drop: KeptDrop }) {
   return words === '' ? null : <span class="small soft">{words}</span>;
 }
 
+/** A drop always has a name: an empty one is replaced by the previous name. */
+function Name({ drop }: { readonly drop: KeptDrop }) {
+  const typed = useTyped(drop.name, async (written) => {
+    const name = written.trim();
+    if (name !== '') await alter(drop.id, { name });
+  });
+  const label = text('page-drops-rename', { name: drop.name });
+  return <input class="name" aria-label={label} maxLength={120} {...typed} />;
+}
+
 interface NotedProps {
   readonly drop: KeptDrop;
   readonly field: 'surface' | 'student';
@@ -174,15 +174,11 @@ interface NotedProps {
 
 /** What a person writes about a drop. */
 function Noted({ drop, field }: NotedProps) {
+  const typed = useTyped(drop[field], (written) => alter(drop.id, { [field]: written.trim() }));
+  const label = text(`page-class-${field}-of`, { name: drop.name });
   return (
     <td>
-      <input
-        class="noted"
-        aria-label={text(`page-class-${field}-of`, { name: drop.name })}
-        value={drop[field]}
-        maxLength={60}
-        onChange={({ currentTarget: { value } }) => void alter(drop.id, { [field]: value.trim() })}
-      />
+      <input class="noted" aria-label={label} maxLength={60} {...typed} />
     </td>
   );
 }

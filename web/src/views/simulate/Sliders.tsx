@@ -2,6 +2,7 @@ import { useId } from 'preact/hooks';
 import { SLIDERS, type Slider as SliderName } from '../../address/simulation.ts';
 import { Choice } from '../../app/Choice.tsx';
 import { Slider } from '../../app/Slider.tsx';
+import { useTyped } from '../../app/typed.ts';
 import { fixed, LENGTH, PERCENT, rounded } from '../../format/quantity.ts';
 import { catalogue } from '../../state/engine.ts';
 import { move, setup } from '../../state/simulating.ts';
@@ -79,6 +80,7 @@ export function Sliders() {
 function Law() {
   const id = useId();
   const { law } = setup.value;
+  const typed = useTyped(law, (written) => move({ law: written.replaceAll(' ', '') }));
   const laws = catalogue.value?.restitution_laws ?? [];
   const example = laws.find(({ name }) => name === law.split(':')[0])?.example ?? '';
   return (
@@ -97,11 +99,7 @@ function Law() {
       {law !== '' && (
         <div class="field">
           <label for={id}>{text('page-simulate-law-numbers')}</label>
-          <input
-            id={id}
-            value={law}
-            onChange={({ currentTarget: { value } }) => move({ law: value.replaceAll(' ', '') })}
-          />
+          <input id={id} {...typed} />
         </div>
       )}
     </>
