@@ -72,11 +72,20 @@ function EngineTrouble() {
 
 /** A newer page waits; what is open is kept. */
 function Newer() {
+  const [leaving, setLeaving] = useState(false);
   if (!newer.value || busy.value) return null;
   return (
     <p class="notice no-print" role="status">
       {text('page-app-newer')}{' '}
-      <button type="button" class="quiet slim" onClick={() => void rescue().then(takeOver)}>
+      <button
+        type="button"
+        class="quiet slim"
+        disabled={leaving}
+        onClick={() => {
+          setLeaving(true);
+          void rescue().then(takeOver);
+        }}
+      >
         {text('page-app-reload')}
       </button>
     </p>

@@ -43,12 +43,14 @@ export async function takeOver(): Promise<void> {
 
 /** Without a service worker the whole page comes from the network; never resolves where there is none. */
 async function passBy(): Promise<void> {
-  try {
-    const registration = await navigator.serviceWorker.ready;
-    const found = await fetch('sw.js', { cache: 'no-store' });
-    if (found.ok && (await registration.unregister())) return;
-  } catch {
-    // No network: what is open stays until the newer page can take over.
-  }
+  const signal = AbortSignal.timeout(PATIENCE_MS);
+  const canLoad = await fetch('sw.js', { cache: 'no-store', signal }).then(
+    ({ ok }) => ok,
+    // A service worker that does not answer gives no page either.
+    () => signal.aborted,
+  );
+  const registration = await navigator.serviceWorker.getRegistration();
+  if (canLoad && (await registration?.unregister())) return;
+  // What is open stays until the newer page can take over.
   await new Promise(() => undefined);
 }

@@ -116,7 +116,8 @@ export async function rescue(): Promise<void> {
   if (loaded.pyramid && isWhole.peek()) await storeSound(loaded.name).catch(() => undefined);
   else {
     const link = await linkOfDrop(loaded.name).catch(() => undefined);
-    if (link) location.replace(link.address);
+    // Without an event: this page would open the drop, and take it out of the address before its end.
+    if (link) history.replaceState(null, '', link.address);
   }
 }
 
