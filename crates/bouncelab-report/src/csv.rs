@@ -17,6 +17,12 @@ pub fn line<T: AsRef<str>>(cells: &[T]) -> String {
     quoted.collect::<Vec<_>>().join(",") + "\n"
 }
 
+/// What begins a formula in a spreadsheet, by the list of OWASP, "CSV Injection": some take the full width of a sign for the
+/// sign.
+pub const FORMULA_SIGNS: [char; 11] = [
+    '=', '+', '-', '@', '\t', '\r', '\n', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}',
+];
+
 /// A text in a cell of CSV that no spreadsheet runs: where it begins as a formula does, `'` is put in front.
 ///
 /// ```
@@ -27,11 +33,7 @@ pub fn line<T: AsRef<str>>(cells: &[T]) -> String {
 /// assert_eq!(guarded("drop.wav".to_owned()), "drop.wav");
 /// ```
 pub fn guarded(text: String) -> String {
-    // The list of OWASP, "CSV Injection": some spreadsheets take the full width of a sign for the sign.
-    const SIGNS: [char; 11] = [
-        '=', '+', '-', '@', '\t', '\r', '\n', '\u{ff1d}', '\u{ff0b}', '\u{ff0d}', '\u{ff20}',
-    ];
-    if text.starts_with(SIGNS) {
+    if text.starts_with(FORMULA_SIGNS) {
         format!("'{text}")
     } else {
         text

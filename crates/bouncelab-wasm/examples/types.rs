@@ -12,6 +12,7 @@ use bouncelab::analysis::{CONFIDENT_PROBABILITY, Gap};
 use bouncelab::diagnostic::Argument;
 use bouncelab_audio::{SoundFormat, times};
 use bouncelab_report::Chart;
+use bouncelab_report::csv::FORMULA_SIGNS;
 use bouncelab_report::document::simulation;
 use bouncelab_report::job::MAX_NUMBER;
 use bouncelab_report::link::{DropLink, LinkedDrop};
@@ -108,7 +109,10 @@ fn declarations() -> String {
     let job = format!(
         "\n/** Maximum number of places of a test series, and of drops in each. */\nexport const MAX_NUMBER = {MAX_NUMBER};\n"
     );
-    [HEAD, &declarations, &certain, &formats, &job]
+    let signs = format!(
+        "\n/** What begins a formula in a spreadsheet. */\nexport const FORMULA_SIGNS = {FORMULA_SIGNS:?};\n"
+    );
+    [HEAD, &declarations, &certain, &formats, &job, &signs]
         .concat()
         .replace("/**\n * ", "/** ")
         .replace("\n */\n", " */\n")

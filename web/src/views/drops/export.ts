@@ -1,5 +1,6 @@
 import { saveText } from '../../app/save.ts';
 import { saveCsv } from '../../app/saveCsv.ts';
+import { FORMULA_SIGNS } from '../../lab/engine/types.ts';
 import { LIST_FORMAT, LIST_VERSION } from '../../store/archive.ts';
 import type { KeptDrop } from '../../store/drops.ts';
 
@@ -33,9 +34,10 @@ export function csvOf(drops: readonly KeptDrop[]): string {
   return [COLUMNS, ...rows].map((row) => `${row.join(',')}\r\n`).join('');
 }
 
-/** A name may hold commas and quotes, and must not be taken for a formula; some spreadsheets read full-width signs, too. */
+/** A name may hold commas and quotes, and must not be taken for a formula. */
 function quoted(text: string): string {
-  const harmless = /^[=+\-@\t\r\n\uff1d\uff0b\uff0d\uff20]/.test(text) ? `'${text}` : text;
+  const isFormula = FORMULA_SIGNS.some((sign) => text.startsWith(sign));
+  const harmless = isFormula ? `'${text}` : text;
   return `"${harmless.replaceAll('"', '""')}"`;
 }
 
