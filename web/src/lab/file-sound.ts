@@ -5,7 +5,7 @@ import type { SoundFile } from './protocol.ts';
 /** Bytes that are read at once: each reading takes as long as a hundred kilobytes. */
 const PART_BYTES = 1 << 20;
 /** Samples that stay decoded: those of three minutes in one channel. */
-const MOST_SAMPLES = 8e6;
+const MAX_SAMPLES = 8e6;
 
 let file = new Blob();
 let part = new Uint8Array();
@@ -81,7 +81,7 @@ export class FileSound {
     const block = { start: this.#end, planes };
     this.#blocks.push(block);
     this.#end += planes[0]?.length ?? 0;
-    const mayStay = MOST_SAMPLES / channels;
+    const mayStay = MAX_SAMPLES / channels;
     while (this.#end - (this.#blocks[0]?.start ?? 0) > mayStay) this.#blocks.shift();
     return block;
   }

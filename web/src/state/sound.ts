@@ -18,7 +18,7 @@ const LONGEST_WHOLE_S = 1801;
 export const isWhole = computed(() => (workspace.value?.durationS ?? 0) <= LONGEST_WHOLE_S);
 
 /** More samples than these are in sight only where a picture needs none. */
-const MOST_SAMPLES = 1 << 19;
+const MAX_SAMPLES = 1 << 19;
 
 interface Read extends Part {
   readonly of: Recording;
@@ -45,7 +45,7 @@ export function keepRead(): void {
     if (!of || !pyramid) return;
     const { rateHz, frames } = pyramid;
     const count = Math.ceil((seen.endS - seen.startS) * rateHz);
-    if (count > MOST_SAMPLES || (part.peek() && covers(part.peek(), seen, frames))) return;
+    if (count > MAX_SAMPLES || (part.peek() && covers(part.peek(), seen, frames))) return;
     const first = Math.floor(seen.startS * rateHz) - count;
     reader.ask({ of, rateHz, from: Math.max(0, first), to: first + 3 * count });
   });

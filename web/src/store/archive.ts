@@ -107,10 +107,10 @@ async function samplesOf(wav: Blob): Promise<Float32Array<ArrayBuffer>> {
 }
 
 /** The most files of a ZIP, and bytes of one of them, that are read: as in the program. */
-const MOST_FILES = 10_000;
-const MOST_BYTES = 2 ** 28;
+const MAX_FILES = 10_000;
+const MAX_BYTES = 2 ** 28;
 /** How many times as long an archive may be once it is unpacked. */
-const MOST_RATIO = 16;
+const MAX_RATIO = 16;
 
 /** A file in a ZIP, read when it is due. */
 export interface ZippedFile {
@@ -132,7 +132,7 @@ export async function filesIn(file: Blob): Promise<readonly ZippedFile[]> {
     .catch((error: unknown) => {
       throw ArchiveError.of(error);
     });
-  if (entries.length > MOST_FILES) throw new ArchiveError('huge');
+  if (entries.length > MAX_FILES) throw new ArchiveError('huge');
   return entries.flatMap((entry) =>
     entry.directory
       ? []
@@ -149,7 +149,7 @@ async function unpacked(
   size: number,
   write: (to: WritableStream<Uint8Array>) => Promise<unknown>,
 ): Promise<Blob> {
-  if (size > MOST_BYTES) throw new ArchiveError('huge');
+  if (size > MAX_BYTES) throw new ArchiveError('huge');
   let left = size;
   const limited = new TransformStream<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>({
     transform: (bytes, to) => {
@@ -175,7 +175,7 @@ async function checkedFiles(file: Blob): Promise<Map<string, Blob>> {
   const inside = await filesIn(file);
   // All of them are in memory at once. The page compresses nothing, and other programs compress sound little.
   const bytes = inside.reduce((sum, { size }) => sum + size, 0);
-  if (bytes > MOST_RATIO * file.size) throw new ArchiveError('huge');
+  if (bytes > MAX_RATIO * file.size) throw new ArchiveError('huge');
   for (const { path, blob } of inside) files.set(path, await blob());
   return files;
 }

@@ -7,9 +7,9 @@ type Check = (value: unknown) => boolean;
 const isNumber: Check = Number.isFinite;
 const isFlag: Check = (value) => typeof value === 'boolean';
 /** Of more than anybody writes, less is shown than waited for. */
-const MOST_LETTERS = 1000;
+const MAX_LETTERS = 1000;
 export const isText = (value: unknown): value is string =>
-  typeof value === 'string' && value.length <= MOST_LETTERS;
+  typeof value === 'string' && value.length <= MAX_LETTERS;
 export const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
@@ -31,7 +31,7 @@ const listOf =
     Array.isArray(value) && value.length <= most && value.every(check);
 
 /** As many onsets as the detector remembers: no drop has more impacts. */
-const MOST_IMPACTS = 4000;
+const MAX_IMPACTS = 4000;
 
 const isPositive: Check = (value) => isNumber(value) && Number(value) >= 0;
 const isKnown = orNull(object({ value: isNumber, sd: orNull(isPositive) }));
@@ -59,7 +59,7 @@ const isSetting: Check = (value) =>
   isNumber(value) ||
   isText(value) ||
   isFlag(value) ||
-  listOf(isSetting, MOST_IMPACTS)(value) ||
+  listOf(isSetting, MAX_IMPACTS)(value) ||
   isGroup(value);
 const isGroup: Check = (value) => isObject(value) && Object.values(value).every(isSetting);
 
@@ -93,7 +93,7 @@ const isWholeRecording = object({
   name: isText,
   rateHz: isPositive,
   startedAt: isTime,
-  gaps: optional(listOf(object({ start_s: isNumber, duration_s: isPositive }), MOST_IMPACTS)),
+  gaps: optional(listOf(object({ start_s: isNumber, duration_s: isPositive }), MAX_IMPACTS)),
 });
 
 const isWholeDrop = object({
@@ -106,12 +106,12 @@ const isWholeDrop = object({
   recording: orNull(isText),
   restitution: isKnown,
   dropHeightM: isKnown,
-  restitutions: listOf(object({ speedMS: isNumber, value: isNumber }), MOST_IMPACTS),
+  restitutions: listOf(object({ speedMS: isNumber, value: isNumber }), MAX_IMPACTS),
   settings: isSettings,
   marks: object({
     edited: isFlag,
     probability: optional(isNumber),
-    impacts: listOf(isImpact, MOST_IMPACTS),
+    impacts: listOf(isImpact, MAX_IMPACTS),
   }),
 });
 

@@ -2,14 +2,14 @@ import { chosenDrop, edits, lookAt } from '../../state/workspace.ts';
 import { text } from '../../text/language.ts';
 
 /** More would fill the screen: they are chosen from a list. */
-const MOST_BUTTONS = 20;
+const MAX_BUTTONS = 20;
 
 /** Which of several drops in a recording is looked at. */
 export function DropChoice() {
   const count = edits.value.length;
   if (count < 2) return null;
   const nameOf = (index: number): string => text('page-lab-drop-of', { index: index + 1, count });
-  if (count > MOST_BUTTONS) {
+  if (count > MAX_BUTTONS) {
     return (
       <select
         class="tool"

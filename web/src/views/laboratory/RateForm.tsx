@@ -4,7 +4,7 @@ import { openFile, withoutRate } from '../../state/opening.ts';
 import { text } from '../../text/language.ts';
 
 /** The rates that are read, in hertz. */
-const [LEAST_HZ, MOST_HZ] = [4000, 10_000_000];
+const [MIN_HZ, MAX_HZ] = [4000, 10_000_000];
 
 /** Asks for the rate of samples whose file does not state it, and opens the file with it. */
 export function RateForm() {
@@ -23,8 +23,8 @@ export function RateForm() {
         label={text('page-lab-rate')}
         unit="Hz"
         value={rateHz}
-        min={LEAST_HZ}
-        max={MOST_HZ}
+        min={MIN_HZ}
+        max={MAX_HZ}
         onChange={setRateHz}
       />
       <div>
