@@ -49,8 +49,8 @@ async function passBy(): Promise<void> {
     // A service worker that does not answer gives no page either.
     () => signal.aborted,
   );
-  const registration = await navigator.serviceWorker.getRegistration();
-  if (canLoad && (await registration?.unregister())) return;
   // What is open stays until the newer page can take over.
-  await new Promise(() => undefined);
+  if (!canLoad) await new Promise(() => undefined);
+  const registration = await navigator.serviceWorker.getRegistration();
+  await registration?.unregister();
 }
