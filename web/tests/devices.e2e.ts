@@ -107,6 +107,17 @@ test('a browser that forgets after a week says so where something is kept', asyn
   await page.context().close();
 });
 
+/** A page whose files come from its service worker. */
+async function openOffline(site: Site): Promise<Page> {
+  const { page } = await open(here.browser, site.url);
+  await page.evaluate(async () => {
+    await navigator.serviceWorker.ready;
+  });
+  await page.reload();
+  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  return page;
+}
+
 /** Opens a list of times, which has no sound; its answers. */
 async function openTimes(page: Page) {
   const times = Array.from({ length: 12 }, (_, n) => ((0.5 * (1 - 0.9 ** n)) / 0.1).toFixed(5));
@@ -122,12 +133,7 @@ test('a newer page does not throw away what is open', async () => {
   // Its compressed copy would be sent in place of what is written below.
   rmSync(join(copy, 'sw.js.br'));
   const site = await Site.open(copy);
-  const { page } = await open(here.browser, site.url);
-  await page.evaluate(async () => {
-    await navigator.serviceWorker.ready;
-  });
-  await page.reload();
-  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  const page = await openOffline(site);
   await page.locator('input[type=file]').setInputFiles(drop('unkept'));
   const before = await answers(page);
   appendFileSync(join(copy, 'sw.js'), '\n// newer');
@@ -164,12 +170,7 @@ test('a newer page does not wait for what the older one has not ended', async ()
     "\nself.addEventListener('message', (event) => event.waitUntil(new Promise(() => {})));",
   );
   const site = await Site.open(copy);
-  const { page } = await open(here.browser, site.url);
-  await page.evaluate(async () => {
-    await navigator.serviceWorker.ready;
-  });
-  await page.reload();
-  await page.waitForFunction(() => navigator.serviceWorker.controller !== null);
+  const page = await openOffline(site);
   const before = await openTimes(page);
   appendFileSync(join(copy, 'sw.js'), '\n// newer');
   await page.evaluate(async () => {

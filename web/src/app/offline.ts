@@ -36,21 +36,25 @@ export async function takeOver(): Promise<void> {
     });
     waiting.postMessage('take over');
     const late = new Promise<boolean>((resolve) => setTimeout(resolve, PATIENCE_MS, false));
-    if (!(await Promise.race([changed, late]))) await Promise.race([changed, passBy()]);
+    const isDone =
+      (await Promise.race([changed, late])) || (await Promise.race([changed, unregistered()]));
+    // What is open stays until the newer page can take over.
+    if (!isDone) await changed;
   }
   location.reload();
 }
 
-/** Without a service worker the whole page comes from the network; never resolves where there is none. */
-async function passBy(): Promise<void> {
+/**
+ * Unregisters the service worker, so that the browser loads the whole page from the network; false, and it stays,
+ * where there is no network.
+ */
+async function unregistered(): Promise<boolean> {
   const signal = AbortSignal.timeout(PATIENCE_MS);
   const canLoad = await fetch('sw.js', { cache: 'no-store', signal }).then(
     ({ ok }) => ok,
     // A service worker that does not answer gives no page either.
     () => signal.aborted,
   );
-  // What is open stays until the newer page can take over.
-  if (!canLoad) await new Promise(() => undefined);
-  const registration = await navigator.serviceWorker.getRegistration();
-  await registration?.unregister();
+  if (canLoad) await (await navigator.serviceWorker.getRegistration())?.unregister();
+  return canLoad;
 }

@@ -70,7 +70,7 @@ export interface SoundOutline {
 
 /** A sound, whose samples are read where they are needed. */
 export interface Sound extends SoundOutline {
-  /** The samples of a channel, counted from 0, from one up to another; there are none before the first and behind the last. */
+  /** The samples of a channel, counted from 0, with numbers from `from` to `to` - 1; outside the sound it has no samples. */
   read(channel: number, from: number, to: number): Promise<Float32Array<ArrayBuffer>>;
 }
 
